@@ -1,0 +1,32 @@
+// Gives every limit of the wire: its name and its default.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+
+namespace billiards::protocol {
+
+inline constexpr std::uint16_t kVersionMajor = 1;
+inline constexpr std::uint16_t kVersionMinor = 0;
+inline constexpr std::uint16_t kDefaultPort = 4747;
+
+inline constexpr std::size_t kFrameHeaderBytes = 4;
+inline constexpr std::size_t kMaxGreetingFrameBytes = 512;
+inline constexpr std::size_t kMaxClientFrameBytes = 8 * 1024;
+inline constexpr std::size_t kMaxServerFrameBytes = 1024 * 1024;
+inline constexpr int kTraversalFactor = 4;  ///< Times the frame's words.
+inline constexpr int kMaxNesting = 8;
+
+inline constexpr std::size_t kMaxNameLength = 24;       ///< Code points, before the discriminator.
+inline constexpr std::size_t kMaxTableNameLength = 40;  ///< Code points.
+inline constexpr std::size_t kMaxChatLength = 200;      ///< Code points.
+inline constexpr std::size_t kMaxDetailLength = 300;    ///< Bytes.
+inline constexpr std::size_t kMaxTableRows = 1000;      ///< Of one TableList.
+inline constexpr std::size_t kMaxEventsInRecord = 20'000;
+inline constexpr std::size_t kMaxSegmentsInRecord = 40'000;
+
+inline constexpr std::chrono::seconds kGreetingTimeout{5};
+inline constexpr std::chrono::seconds kIdleTimeout{60};
+
+}  // namespace billiards::protocol

@@ -1,0 +1,110 @@
+// Gives the seam to the database: what is durable, and the few calls it takes.
+#pragma once
+
+#include "common/base/result.h"
+#include "common/model/seat.h"
+#include "common/protocol/codec_journal.h"
+#include "common/protocol/messages.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace billiards::server {
+
+/// A guest for as long as the server's data lives.
+struct PlayerId {
+    std::uint64_t value = 0;
+    friend auto operator<=>(PlayerId, PlayerId) = default;
+};
+
+struct MatchId {
+    std::uint64_t value = 0;
+    friend auto operator<=>(MatchId, MatchId) = default;
+};
+
+/// SHA-256 of a resume token: the token itself is never stored.
+using TokenHash = std::array<std::uint8_t, 32>;
+
+struct StoredPlayer {
+    PlayerId player;
+    std::string name;  ///< With its discriminator.
+    TokenHash token_hash{};
+    friend bool operator==(const StoredPlayer&, const StoredPlayer&) = default;
+};
+
+/// A match that was not over when it was last written, with the table it is played on.
+struct StoredMatch {
+    MatchId match;
+    protocol::TableId table;
+    std::string table_name;
+    model::PerSeat<PlayerId> players;
+    protocol::Bytes settings;  ///< protocol::encode_settings
+    friend bool operator==(const StoredMatch&, const StoredMatch&) = default;
+};
+
+struct StoredEntry {
+    std::uint64_t sequence = 0;  ///< 1, 2, 3 ... within its match.
+    protocol::EncodedEntry entry;
+};
+
+/// Inserts, or replaces the player's name and hash.
+struct SavePlayer {
+    StoredPlayer player;
+};
+struct SaveMatch {
+    StoredMatch match;
+};
+struct AppendEntry {
+    MatchId match;
+    StoredEntry entry;
+};
+struct FinishMatch {
+    MatchId match;
+};
+
+using Write = std::variant<SavePlayer, SaveMatch, AppendEntry, FinishMatch>;
+
+enum class StoreErrorCode : std::uint8_t {
+    CannotOpen,  ///< detail names the file and the system's reason.
+    Newer,       ///< Written by a newer version of this program.
+    Corrupt,
+    Full,
+    Busy,
+    Failed,
+};
+
+struct StoreError {
+    StoreErrorCode code = StoreErrorCode::Failed;
+    std::string detail;
+    friend bool operator==(const StoreError&, const StoreError&) = default;
+};
+
+template <class T>
+using StoreResult = base::Result<T, StoreError>;
+
+/// One implementation a database; tests/server/store/match_store_contract.h is its contract.
+class MatchStore {
+  public:
+    virtual ~MatchStore() = default;
+
+    /// All of the writes or none; durable when it returns.
+    virtual StoreResult<base::Done> commit(std::span<const Write> writes) = 0;
+    virtual StoreResult<std::vector<StoredPlayer>> players() = 0;
+    /// Matches without a FinishMatch, in ascending MatchId.
+    virtual StoreResult<std::vector<StoredMatch>> live_matches() = 0;
+    /// A match's entries in ascending sequence.
+    virtual StoreResult<std::vector<StoredEntry>> journal(MatchId match) = 0;
+    /// The highest ids ever given; 0 where there were none.
+    struct HighestIds {
+        std::uint64_t player = 0;
+        std::uint64_t match = 0;
+        std::uint32_t table = 0;
+    };
+    virtual StoreResult<HighestIds> highest_ids() = 0;
+};
+
+}  // namespace billiards::server
