@@ -57,6 +57,7 @@ struct Join {
     Role role = Role::Player;
     friend bool operator==(const Join&, const Join&) = default;
 };
+/// Back to the lobby, answered by a TableList. Not during a match: Concede comes first.
 struct Leave {
     friend bool operator==(Leave, Leave) = default;
 };
@@ -245,7 +246,7 @@ struct TurnOpened {
     Turn turn;
     friend bool operator==(const TurnOpened&, const TurnOpened&) = default;
 };
-/// A choice was made, or the clock ran out: the match moved on without a shot.
+/// A choice was made, the clock ran out, or a player conceded: the match moved on without a shot.
 struct MatchMoved {
     std::uint64_t sequence = 0;
     model::Seat seat = model::Seat::First;

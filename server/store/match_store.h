@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -33,6 +34,9 @@ struct StoredPlayer {
     PlayerId player;
     std::string name;  ///< With its discriminator.
     TokenHash token_hash{};
+    /// The token before: good until the first message under the new one, so that neither a lost
+    /// answer nor a restart at that moment locks a player out.
+    std::optional<TokenHash> previous_token_hash{};
     friend bool operator==(const StoredPlayer&, const StoredPlayer&) = default;
 };
 
@@ -51,7 +55,7 @@ struct StoredEntry {
     protocol::EncodedEntry entry;
 };
 
-/// Inserts, or replaces the player's name and hash.
+/// Inserts, or replaces the player's name and hashes.
 struct SavePlayer {
     StoredPlayer player;
 };
