@@ -1,0 +1,209 @@
+// Holds the committer against stores that are slow or fail: groups, order, limits, an end.
+#include "server/store/threaded_committer.h"
+
+#include "server/store/sqlite_store.h"
+#include "tests/server/store/match_store_contract.h"
+#include "tests/support/temporary_folder.h"
+
+#include <asio/post.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <mutex>
+#include <semaphore>
+
+namespace billiards::server {
+namespace {
+
+using testing::Each;
+using testing::ElementsAre;
+
+/// A store that waits for permission and remembers how many writes each commit held.
+class SlowStore final : public MatchStore {
+  public:
+    struct Control {
+        std::counting_semaphore<> started{0};
+        std::counting_semaphore<> allowed{0};
+        std::mutex mutex;
+        std::vector<std::size_t> commits;
+        std::vector<std::size_t> sizes() {
+            const std::lock_guard lock(mutex);
+            return commits;
+        }
+    };
+    explicit SlowStore(Control& control) : control_(control) {}
+
+    /// Fails where one of the writes finishes match 13.
+    StoreResult<base::Done> commit(std::span<const Write> writes) override {
+        control_.started.release();
+        control_.allowed.acquire();
+        const std::lock_guard lock(control_.mutex);
+        control_.commits.push_back(writes.size());
+        for (const Write& write : writes) {
+            const auto* finish = std::get_if<FinishMatch>(&write);
+            if (finish && finish->match.value == 13) {
+                return StoreError{StoreErrorCode::Failed, "thirteen"};
+            }
+        }
+        return base::Done{};
+    }
+    StoreResult<std::vector<StoredPlayer>> players() override { return no_rows(); }
+    StoreResult<std::vector<StoredMatch>> live_matches() override { return no_rows(); }
+    StoreResult<std::vector<StoredEntry>> journal(MatchId) override { return no_rows(); }
+    StoreResult<HighestIds> highest_ids() override { return no_rows(); }
+
+  private:
+    static StoreError no_rows() { return {StoreErrorCode::Failed, "only commits"}; }
+    Control& control_;
+};
+
+/// A committer over `Store`, and the thread of the game, which is the test's.
+struct Game {
+    explicit Game(std::unique_ptr<MatchStore> store, ThreadedCommitter::Limits limits = {})
+        : committer(
+              std::move(store), [this](auto answers) { asio::post(context, std::move(answers)); },
+              [this](const CommitMeasured& one) {
+                  const std::lock_guard lock(mutex);
+                  measured.push_back(one);
+              },
+              limits) {}
+
+    void submit(std::uint64_t number) {
+        committer.submit({FinishMatch{{number}}}, [this, number](const Committed& committed) {
+            answered.push_back(number);
+            results.push_back(committed);
+        });
+    }
+    void run_until_answered(std::size_t count) {
+        while (answered.size() < count) {
+            ASSERT_GT(context.run_one_for(std::chrono::seconds(10)), 0U);
+        }
+    }
+    std::vector<CommitMeasured> measurements() {
+        const std::lock_guard lock(mutex);
+        return measured;
+    }
+
+    asio::io_context context;
+    asio::executor_work_guard<asio::io_context::executor_type> work = make_work_guard(context);
+    std::mutex mutex;
+    std::vector<CommitMeasured> measured;
+    std::vector<std::uint64_t> answered;
+    std::vector<Committed> results;
+    ThreadedCommitter committer;
+};
+
+/// A game whose first submission, number 1, is being committed and waits for permission.
+struct BusyGame {
+    explicit BusyGame(ThreadedCommitter::Limits limits = {})
+        : game(std::make_unique<SlowStore>(control), limits) {
+        game.submit(1);
+        control.started.acquire();
+    }
+    ~BusyGame() { control.allowed.release(1000); }
+
+    void go_on(std::size_t answers) {
+        control.allowed.release(1000);
+        game.run_until_answered(answers);
+    }
+
+    SlowStore::Control control;
+    Game game;
+};
+
+TEST(ThreadedCommitter, CommitsTogetherWhatIsSubmittedWhileOneCommitRuns) {
+    BusyGame busy;
+    for (std::uint64_t number = 2; number <= 5; ++number) busy.game.submit(number);
+    busy.go_on(5);
+    EXPECT_THAT(busy.control.sizes(), ElementsAre(1, 4));
+    EXPECT_THAT(busy.game.answered, ElementsAre(1, 2, 3, 4, 5));
+}
+
+TEST(ThreadedCommitter, KeepsAGroupWithinItsLimit) {
+    BusyGame busy({.submissions_waiting = 100, .submissions_per_transaction = 3});
+    for (std::uint64_t number = 2; number <= 9; ++number) busy.game.submit(number);
+    busy.go_on(9);
+    EXPECT_THAT(busy.control.sizes(), ElementsAre(1, 3, 3, 2));
+}
+
+TEST(ThreadedCommitter, LetsOnlyTheWritesFailThatCannotBeStored) {
+    BusyGame busy;
+    for (const std::uint64_t number : {12U, 13U, 14U}) busy.game.submit(number);
+    busy.go_on(4);
+    EXPECT_THAT(busy.game.answered, ElementsAre(1, 12, 13, 14));
+    EXPECT_TRUE(busy.game.results[1].result.ok());
+    EXPECT_FALSE(busy.game.results[2].result.ok());
+    EXPECT_TRUE(busy.game.results[3].result.ok());
+}
+
+TEST(ThreadedCommitter, AnswersBusyInItsTurnBeyondTheLimit) {
+    BusyGame busy({.submissions_waiting = 3, .submissions_per_transaction = 100});
+    for (std::uint64_t number = 2; number <= 4; ++number) busy.game.submit(number);
+    busy.go_on(4);
+    EXPECT_THAT(busy.game.answered, ElementsAre(1, 2, 3, 4));
+    EXPECT_TRUE(busy.game.results[2].result.ok());
+    ASSERT_FALSE(busy.game.results[3].result.ok());
+    EXPECT_EQ(busy.game.results[3].result.error().code, StoreErrorCode::Busy);
+    EXPECT_THAT(busy.control.sizes(), ElementsAre(1, 2));
+    busy.game.submit(5);
+    busy.game.run_until_answered(5);
+    EXPECT_TRUE(busy.game.results[4].result.ok());
+}
+
+TEST(ThreadedCommitter, NeverAnswersFromWithinSubmit) {
+    BusyGame busy;
+    busy.control.allowed.release(1000);
+    busy.game.committer.finish();
+    busy.game.submit(2);
+    EXPECT_TRUE(busy.game.answered.empty());
+    busy.game.run_until_answered(2);
+    EXPECT_THAT(busy.game.answered, ElementsAre(1, 2));
+}
+
+TEST(ThreadedCommitter, CommitsEverythingBeforeItFinishesAndNothingAfterwards) {
+    BusyGame busy;
+    busy.game.submit(2);
+    busy.control.allowed.release(1000);
+    busy.game.committer.finish();
+    EXPECT_THAT(busy.control.sizes(), ElementsAre(1, 1));
+    busy.game.submit(3);
+    busy.game.run_until_answered(3);
+    EXPECT_TRUE(busy.game.results[1].result.ok());
+    EXPECT_FALSE(busy.game.results[2].result.ok());
+    EXPECT_THAT(busy.control.sizes(), ElementsAre(1, 1));
+}
+
+TEST(ThreadedCommitter, MeasuresEveryTransaction) {
+    BusyGame busy;
+    busy.game.submit(2);
+    busy.game.submit(13);
+    busy.go_on(3);
+    const auto measured = busy.game.measurements();
+    ASSERT_EQ(measured.size(), 4U);
+    EXPECT_EQ(measured[1].submissions, 2U);
+    EXPECT_TRUE(measured[1].failed);
+    EXPECT_FALSE(measured[2].failed);
+    EXPECT_TRUE(measured[3].failed);
+    EXPECT_GE(busy.game.results[2].took, measured[3].took);
+}
+
+TEST(ThreadedCommitter, MakesWritesDurableInADatabase) {
+    const support::TemporaryFolder folder;
+    const auto file = folder.path() / "test.db";
+    {
+        Game game(std::move(open_sqlite_store(file)).value());
+        std::vector<bool> durable;
+        for (std::uint64_t number = 1; number <= 100; ++number) {
+            game.committer.submit({SavePlayer{some_player(number)}},
+                                  [&](const Committed& c) { durable.push_back(c.result.ok()); });
+        }
+        game.committer.finish();
+        game.context.poll();
+        EXPECT_EQ(durable.size(), 100U);
+        EXPECT_THAT(durable, Each(true));
+    }
+    const auto store = std::move(open_sqlite_store(file)).value();
+    EXPECT_EQ(store->players().value().size(), 100U);
+}
+
+}  // namespace
+}  // namespace billiards::server
