@@ -13,9 +13,10 @@ namespace {
 constexpr std::array kMigrations = {
     R"sql(
 CREATE TABLE players (
-    id         INTEGER PRIMARY KEY,
-    name       TEXT NOT NULL,
-    token_hash BLOB NOT NULL
+    id                  INTEGER PRIMARY KEY,
+    name                TEXT NOT NULL,
+    token_hash          BLOB NOT NULL,
+    previous_token_hash BLOB
 ) STRICT;
 CREATE TABLE matches (
     id            INTEGER PRIMARY KEY,

@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <exception>
 #include <fmt/format.h>
+#include <optional>
 #include <sqlite3.h>
+#include <string>
 #include <utility>
 
 namespace billiards::server {
@@ -71,6 +73,14 @@ protocol::Bytes read_bytes(const SQLite::Column& column) {
     return {data, data + column.getBytes()};
 }
 
+/// None where the column is NULL or has another length.
+std::optional<TokenHash> read_hash(const SQLite::Column& column) {
+    TokenHash hash;
+    if (column.getBytes() != static_cast<int>(hash.size())) return std::nullopt;
+    std::copy_n(static_cast<const std::uint8_t*>(column.getBlob()), hash.size(), hash.begin());
+    return hash;
+}
+
 /// A prepared statement in use; ready to be used again once this is gone, whatever happened.
 class Use {
   public:
@@ -106,10 +116,11 @@ class SqliteStore final : public MatchStore {
 
     SQLite::Database database_;
     std::filesystem::path file_;
-    SQLite::Statement save_player_{database_,
-                                   "INSERT INTO players (id, name, token_hash) VALUES (?, ?, ?) "
-                                   "ON CONFLICT (id) DO UPDATE SET name = excluded.name, "
-                                   "token_hash = excluded.token_hash"};
+    SQLite::Statement save_player_{
+        database_,
+        "INSERT INTO players (id, name, token_hash, previous_token_hash) VALUES (?, ?, ?, ?) "
+        "ON CONFLICT (id) DO UPDATE SET name = excluded.name, token_hash = excluded.token_hash, "
+        "previous_token_hash = excluded.previous_token_hash"};
     SQLite::Statement save_match_{
         database_,
         "INSERT INTO matches (id, table_id, table_name, first_player, second_player, settings) "
@@ -128,6 +139,11 @@ void SqliteStore::on(const SavePlayer& write) {
     use->bind(1, stored(write.player.player.value));
     use->bindNoCopy(2, write.player.name);
     bind_bytes(*use, 3, write.player.token_hash);
+    if (write.player.previous_token_hash) {
+        bind_bytes(*use, 4, *write.player.previous_token_hash);
+    } else {
+        use->bind(4);  // NULL
+    }
     use->exec();
 }
 
@@ -173,19 +189,19 @@ StoreResult<base::Done> SqliteStore::commit(std::span<const Write> writes) {
 StoreResult<std::vector<StoredPlayer>> SqliteStore::players() {
     return guarded(file_, [&]() -> StoreResult<std::vector<StoredPlayer>> {
         std::vector<StoredPlayer> players;
-        SQLite::Statement rows(database_, "SELECT id, name, token_hash FROM players ORDER BY id");
+        SQLite::Statement rows(database_,
+                               "SELECT id, name, token_hash, previous_token_hash FROM players "
+                               "ORDER BY id");
         while (rows.executeStep()) {
-            StoredPlayer player{{read_number(rows.getColumn(0))}, rows.getColumn(1).getString()};
-            const SQLite::Column hash = rows.getColumn(2);
-            if (hash.getBytes() != static_cast<int>(player.token_hash.size())) {
-                return StoreError{
-                    StoreErrorCode::Corrupt,
-                    fmt::format("{}: the token hash of player {} has {} bytes", file_.string(),
-                                player.player.value, hash.getBytes())};
+            const auto hash = read_hash(rows.getColumn(2));
+            const auto previous = read_hash(rows.getColumn(3));
+            if (!hash || (!previous && !rows.isColumnNull(3))) {
+                return StoreError{StoreErrorCode::Corrupt,
+                                  fmt::format("{}: a token hash of player {} has another length",
+                                              file_.string(), read_number(rows.getColumn(0)))};
             }
-            std::copy_n(static_cast<const std::uint8_t*>(hash.getBlob()), player.token_hash.size(),
-                        player.token_hash.begin());
-            players.push_back(std::move(player));
+            players.push_back(
+                {{read_number(rows.getColumn(0))}, rows.getColumn(1).getString(), *hash, previous});
         }
         return players;
     });

@@ -84,6 +84,16 @@ TYPED_TEST_P(MatchStoreContract, ReplacesAPlayersNameAndHash) {
     EXPECT_EQ(this->store->players().value(), std::vector{renamed});
 }
 
+TYPED_TEST_P(MatchStoreContract, KeepsAndForgetsThePreviousHash) {
+    StoredPlayer rotating = some_player(1);
+    rotating.previous_token_hash = some_player(2).token_hash;
+    this->commit({SavePlayer{rotating}});
+    this->reopen();
+    EXPECT_EQ(this->store->players().value(), std::vector{rotating});
+    this->commit({SavePlayer{some_player(1)}});
+    EXPECT_EQ(this->store->players().value(), std::vector{some_player(1)});
+}
+
 TYPED_TEST_P(MatchStoreContract, KeepsLiveMatchesInAscendingOrderOverAReopening) {
     this->commit({SaveMatch{some_match(7, 3)}, SaveMatch{some_match(2, 4)}});
     this->reopen();
@@ -179,8 +189,8 @@ TYPED_TEST_P(MatchStoreContract, TakesTheLargestTableIdentity) {
 
 REGISTER_TYPED_TEST_SUITE_P(
     MatchStoreContract, IsEmptyAtFirst, KeepsPlayersOverAReopening, ReplacesAPlayersNameAndHash,
-    KeepsLiveMatchesInAscendingOrderOverAReopening, ReplacesAMatchThatIsSavedAgain,
-    LeavesFinishedMatchesOutOfTheLiveOnesButKeepsTheirJournal,
+    KeepsAndForgetsThePreviousHash, KeepsLiveMatchesInAscendingOrderOverAReopening,
+    ReplacesAMatchThatIsSavedAgain, LeavesFinishedMatchesOutOfTheLiveOnesButKeepsTheirJournal,
     GivesBackEveryColumnOfAJournalInAscendingSequence, KeepsAMegabyteOfRecord,
     KeepsNothingOfACommitThatFails, GoesOnAfterACommitThatFailed, RefusesAnEntryOfAnUnknownMatch,
     FinishingAnUnknownMatchChangesNothing, RemembersTheHighestIdentitiesEvenOfFinishedMatches,
