@@ -37,8 +37,20 @@ struct Parameters {
     double cue_end_mass_ratio = 1.0 / 30.0;  ///< Effective end mass over ball mass: TP A-31.
     double cue_spring_npm = 200.0;           ///< O.
     double cue_contact_time_s = 0.01;        ///< O.
+    /// No spin at all: a ball rolls from the first instant, its spin is for the eye and carries no
+    /// energy, and a strike ignores tip offset and elevation (O).
+    bool rolls_at_once = false;
+    double stop_speed_mps = 0.0;  ///< A rolling ball that has slowed down to this rests (O).
 
     friend bool operator==(const Parameters&, const Parameters&) = default;
 };
+
+/// The defaults: what balls, cushions and cloth are measured to do.
+Parameters realistic_parameters();
+
+/// The original gl-billiards design as a preset of the same engine: equal exchange between balls,
+/// mirror cushions that keep 0.7 of the speed, no spin, a glide slowed by 0.017 g that ends at
+/// 1 cm/s.
+Parameters classic_parameters();
 
 }  // namespace billiards::physics
