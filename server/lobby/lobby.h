@@ -4,33 +4,18 @@
 
 #include "common/base/time.h"
 #include "common/protocol/messages.h"
+#include "server/session/limits.h"
+#include "server/session/token.h"
 #include "server/store/committer.h"
 #include "server/table/outbox.h"
+#include "server/table/surroundings.h"
 
-#include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 namespace billiards::server {
-
-struct LobbyLimits {
-    int max_tables = 4000;
-    int max_tables_per_session = 1;
-    int max_spectators_per_table = 20'000;
-    int chat_per_10s = 8;
-    int aim_per_s_to_players = 10;
-    int aim_per_s_to_spectators = 4;
-    int illegal_messages = 20;  ///< Refused for their phase or form, before the session is closed.
-    base::Duration empty_table_kept = std::chrono::minutes(10);
-};
-
-/// Where secrets and seeds come from: the system's generator in the program, a fixed sequence in
-/// tests.
-using RandomBytes = std::function<void(std::span<std::uint8_t>)>;
 
 /// What was durable when the server started.
 struct StoredWorld {
@@ -41,15 +26,6 @@ struct StoredWorld {
     };
     std::vector<LiveMatch> matches;
     MatchStore::HighestIds highest;
-};
-
-struct LobbyStats {
-    std::size_t sessions = 0;
-    std::size_t tables = 0;
-    std::size_t matches_running = 0;
-    std::uint64_t shots = 0;
-    std::uint64_t refusals = 0;
-    bool storage_failing = false;  ///< The last commit failed: not ready.
 };
 
 /// Lives on the game thread alone. Every call takes the time; nothing in it waits.

@@ -1,0 +1,36 @@
+// Gives every limit of the game side of the server: its name and its default.
+#pragma once
+
+#include "common/base/time.h"
+
+#include <chrono>
+#include <cstddef>
+
+namespace billiards::server {
+
+/// Counts and rates are at least 1.
+struct LobbyLimits {
+    int max_tables = 4000;
+    int max_spectators_per_table = 20'000;
+    int max_players = 1'000'000;  ///< Guests known at once.
+
+    int lobby_requests_per_10s = 30;  ///< A session's lists, openings, joins and leaves together.
+    int chat_per_10s = 8;             ///< A session.
+    int table_chat_per_10s = 100;     ///< All sessions at one table together.
+    int placements_per_10s = 20;      ///< Cue balls set down at one table.
+    int aim_per_s_to_players = 10;
+    int aim_per_s_to_spectators = 4;
+    int illegal_messages = 20;  ///< Refused for their phase or form, before the session is closed.
+
+    /// Of one table, while one step is on its way to the disk.
+    std::size_t queued_commands = 8;
+
+    /// How long a table stands at which no player is connected; a match on it ends with it.
+    base::Duration empty_table_kept = std::chrono::minutes(10);
+    /// A shot that is on its way when the clock reaches zero still counts.
+    base::Duration shot_grace = std::chrono::milliseconds(250);
+    /// How often spectators coming and going are announced, at most.
+    base::Duration spectator_count_every = std::chrono::seconds(1);
+};
+
+}  // namespace billiards::server
