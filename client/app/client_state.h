@@ -20,6 +20,13 @@ struct ChatLine {
     friend bool operator==(const ChatLine&, const ChatLine&) = default;
 };
 
+/// What one ping said of the server's clock.
+struct ClockSample {
+    base::Duration round_trip{};
+    base::Duration offset{};  ///< Server time minus local time, taken half way.
+    friend bool operator==(const ClockSample&, const ClockSample&) = default;
+};
+
 /// A table as this client sees it.
 struct TableView {
     protocol::server::TableRow row;
@@ -43,15 +50,23 @@ struct ClientState {
     std::vector<ChatLine> chat;  ///< The newest kChatKept lines.
     std::optional<protocol::server::Refused> last_refusal;
     std::optional<protocol::server::Notice> last_notice;
-    /// Server time minus local time, from the fastest of the last pings.
+    std::vector<ClockSample> clock_samples;  ///< The newest kClockSamplesKept.
+    /// Server time minus local time, from the fastest of the last pings; before the first pong a
+    /// first guess from Welcome, late by the way it took.
     std::optional<base::Duration> clock_offset;
 
     friend bool operator==(const ClientState&, const ClientState&) = default;
 };
 
 inline constexpr std::size_t kChatKept = 200;
+inline constexpr std::size_t kClockSamplesKept = 8;
 
-/// The seat among mine that is to act now, if the match waits for me.
+/// The seat among mine that is to act now, if the match waits for me. Whether the turn is open yet
+/// is for local_time_of(turn.opens_us) to say.
 std::optional<model::Seat> my_turn(const ClientState& state);
+
+/// When, on the local clock, the server's clock shows `server_time_us`; none before any word from
+/// the server.
+std::optional<base::Instant> local_time_of(const ClientState& state, std::int64_t server_time_us);
 
 }  // namespace billiards::client

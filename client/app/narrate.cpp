@@ -1,0 +1,233 @@
+// Takes rulings and the table before them; gives sentences, clause by clause.
+#include "client/app/narrate.h"
+
+#include "common/rules/facts.h"
+
+#include <fmt/format.h>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace billiards::client {
+
+namespace {
+
+namespace server = protocol::server;
+
+/// "3", "3 and 11", "3, 8 and 11".
+std::string listed(const std::vector<std::string>& items, std::string_view last = " and ") {
+    std::string text;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (i > 0) text += i + 1 == items.size() ? last : std::string_view(", ");
+        text += items[i];
+    }
+    return text;
+}
+
+std::string base_name(const std::string& name) {
+    return name.substr(0, name.find('#'));
+}
+
+std::string rack_and_shot(const TableView& before, int shots_played, std::string_view when) {
+    return fmt::format("rack {}, {} {}", before.match ? before.match->rack_number : 1, when,
+                       shots_played);
+}
+
+std::string said(const TableView& before, const model::Call& call) {
+    struct Words {
+        bool is_break;
+        std::string operator()(const model::NoCall&) const { return is_break ? "breaks" : "plays"; }
+        std::string operator()(const model::CalledBall& called) const {
+            return fmt::format("called {} in pocket {}", called.ball.number, called.pocket.number);
+        }
+        std::string operator()(const model::Safety&) const { return "called a safety"; }
+    };
+    const bool is_break = before.match && before.match->rack.phase == rules::Phase::Break;
+    return std::visit(Words{is_break}, call);
+}
+
+std::string what_fell(const rules::Facts& facts) {
+    std::vector<std::string> balls;
+    for (const rules::PocketedBall& pocketed : facts.pocketed) {
+        balls.push_back(std::to_string(pocketed.ball.number));
+    }
+    std::string text = balls.empty() ? "nothing pocketed" : "pocketed " + listed(balls);
+    std::vector<std::string> off_table;
+    facts.off_table.for_each(
+        [&](model::BallId ball) { off_table.push_back(std::to_string(ball.number)); });
+    if (!off_table.empty()) text += ", " + listed(off_table) + " off the table";
+    return text;
+}
+
+/// What the reason adds to what fell and to the fouls; empty where they say it all.
+std::string_view remark(rules::Reason reason) {
+    using rules::Reason;
+    switch (reason) {
+        case Reason::LegalPot:
+        case Reason::BreakPot:
+        case Reason::LegalBreak:
+        case Reason::NothingPotted:
+        case Reason::Safety:
+        case Reason::Foul:
+        case Reason::IllegalBreak:
+        case Reason::BreakFoul:
+        case Reason::EightOnBreak:
+        case Reason::EightOnFoulBreak:
+        case Reason::EightWon:
+        case Reason::EightOffTable:
+        case Reason::ClockRanOut:
+            return "";
+        case Reason::NotCalled:
+            return "not as called";
+        case Reason::EightWithFoul:
+            return "the 8 on a foul";
+        case Reason::EightEarly:
+            return "the 8 too early";
+        case Reason::EightUncalled:
+            return "the 8 not as called";
+    }
+    return "";
+}
+
+std::string fouls_of(const rules::Verdict& verdict) {
+    std::vector<std::string> fouls;
+    for (const rules::Foul foul : verdict.fouls) fouls.push_back(words(foul));
+    return fouls.empty() ? "" : "foul: " + listed(fouls);
+}
+
+std::string in_hand(rules::Zone zone) {
+    switch (zone) {
+        case rules::Zone::None:
+            return "";
+        case rules::Zone::Anywhere:
+            return " with ball in hand";
+        case rules::Zone::BehindHeadString:
+            return " with ball in hand behind the head string";
+    }
+    return "";
+}
+
+/// Who is next, and with what.
+std::string what_follows(const TableView& before, const rules::Verdict& verdict) {
+    if (verdict.winner) return short_name(before, *verdict.winner) + " wins the rack";
+    const std::string next = short_name(before, verdict.next_player);
+    if (!verdict.choices.empty()) {
+        std::vector<std::string> choices;
+        for (const rules::Choice choice : verdict.choices) choices.push_back(words(choice));
+        return next + " may " + listed(choices, " or ");
+    }
+    if (verdict.turn_continues) return next + " continues" + in_hand(verdict.in_hand);
+    return next + " to play" + in_hand(verdict.in_hand);
+}
+
+std::string groups_set(const TableView& before, const match::MatchState& after,
+                       const rules::Verdict& verdict) {
+    const bool had_groups = before.match && before.match->rack.groups;
+    if (had_groups || !verdict.groups || verdict.winner) return "";
+    const model::Seat shooter = before.match ? before.match->rack.shooter : after.rack.shooter;
+    return short_name(before, shooter) + " has " + words((*verdict.groups)[shooter]);
+}
+
+/// "a; b; c" of those that are not empty.
+std::string joined(const std::vector<std::string>& clauses) {
+    std::string text;
+    for (const std::string& clause : clauses) {
+        if (clause.empty()) continue;
+        if (!text.empty()) text += "; ";
+        text += clause;
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string narrate(const TableView& before, const server::ShotPlayed& shot) {
+    std::string happened = what_fell(rules::facts_of(shot.record.events));
+    const std::string_view note = remark(shot.verdict.reason);
+    if (!note.empty()) happened += fmt::format(", {}", note);
+    return fmt::format(
+        "{}: {} {}: {}", rack_and_shot(before, shot.after.shots_played, "shot"),
+        before.row.seats[shot.seat].name, said(before, shot.call),
+        joined({happened, fouls_of(shot.verdict), groups_set(before, shot.after, shot.verdict),
+                what_follows(before, shot.verdict)}));
+}
+
+std::string narrate(const TableView& before, const server::MatchMoved& moved) {
+    const std::string who = before.row.seats[moved.seat].name;
+    const std::string what =
+        moved.choice ? "chose to " + words(*moved.choice) : std::string("ran out of time");
+    const std::string next = short_name(before, moved.after.to_act);
+    const bool is_break = moved.after.rack.phase == rules::Phase::Break;
+    return fmt::format(
+        "{}: {} {}; {} to {}{}", rack_and_shot(before, moved.after.shots_played, "after shot"), who,
+        what, next, is_break ? "break" : "play", is_break ? "" : in_hand(moved.after.rack.in_hand));
+}
+
+std::string narrate(const TableView& before, const server::MatchOver& over) {
+    const model::Seat loser = model::opponent_of(over.winner);
+    const std::string how =
+        over.conceded ? fmt::format(": {} conceded", short_name(before, loser)) : std::string();
+    return fmt::format("{} wins the match {}-{}{}", before.row.seats[over.winner].name,
+                       over.racks_won[over.winner], over.racks_won[loser], how);
+}
+
+std::string short_name(const TableView& table, model::Seat seat) {
+    const std::string& name = table.row.seats[seat].name;
+    const std::string& other = table.row.seats[model::opponent_of(seat)].name;
+    return base_name(name) == base_name(other) ? name : base_name(name);
+}
+
+std::string words(rules::Foul foul) {
+    switch (foul) {
+        case rules::Foul::Scratch:
+            return "scratch";
+        case rules::Foul::NoBallHit:
+            return "no ball hit";
+        case rules::Foul::WrongBallFirst:
+            return "wrong ball first";
+        case rules::Foul::NoCushionAfterContact:
+            return "no cushion after contact";
+        case rules::Foul::BallOffTable:
+            return "ball off the table";
+        case rules::Foul::IllegalBreak:
+            return "illegal break";
+        case rules::Foul::HeadString:
+            return "not across the head string";
+        case rules::Foul::Clock:
+            return "out of time";
+        case rules::Foul::BadPlacement:
+            return "cue ball badly placed";
+        case rules::Foul::WrongBallStruck:
+            return "wrong ball struck";
+    }
+    return "";
+}
+
+std::string words(rules::Choice choice) {
+    switch (choice) {
+        case rules::Choice::Accept:
+            return "play on";
+        case rules::Choice::RebreakSelf:
+            return "re-rack and break";
+        case rules::Choice::RebreakOpponent:
+            return "have the opponent break again";
+        case rules::Choice::SpotEight:
+            return "spot the 8 and play on";
+        case rules::Choice::BallInHandBehindHeadString:
+            return "take ball in hand behind the head string";
+    }
+    return "";
+}
+
+std::string words(rules::Group group) {
+    switch (group) {
+        case rules::Group::Solids:
+            return "solids";
+        case rules::Group::Stripes:
+            return "stripes";
+    }
+    return "";
+}
+
+}  // namespace billiards::client

@@ -1,0 +1,30 @@
+// Takes rulings; gives the sentences that people read. The only place where they are made.
+#pragma once
+
+#include "client/app/client_state.h"
+#include "common/model/seat.h"
+#include "common/protocol/messages.h"
+#include "common/rules/verdict.h"
+
+#include <string>
+
+namespace billiards::client {
+
+// Each takes the table as it was before the message. A name stands in full where a sentence opens,
+// and without its discriminator after that, unless both players are called the same.
+
+/// "rack 1, shot 7: Ada#12ab called 5 in pocket 2: pocketed 5; Ada continues"
+std::string narrate(const TableView& before, const protocol::server::ShotPlayed& shot);
+/// "rack 2, after shot 31: Ada#12ab chose to re-rack and break; Ada to break"
+std::string narrate(const TableView& before, const protocol::server::MatchMoved& moved);
+/// "Ada#12ab wins the match 2-1"
+std::string narrate(const TableView& before, const protocol::server::MatchOver& over);
+
+/// The name of a seat's player as it is said in passing.
+std::string short_name(const TableView& table, model::Seat seat);
+
+std::string words(rules::Foul foul);
+std::string words(rules::Choice choice);
+std::string words(rules::Group group);
+
+}  // namespace billiards::client
