@@ -18,13 +18,20 @@ inline constexpr std::size_t kMaxServerFrameBytes = 1024 * 1024;
 inline constexpr int kTraversalFactor = 4;  ///< Times the frame's words.
 inline constexpr int kMaxNesting = 8;
 
-inline constexpr std::size_t kMaxNameLength = 24;       ///< Code points, before the discriminator.
+inline constexpr std::size_t kMaxNameLength = 24;  ///< Code points, before the discriminator.
+/// A shown name: with its discriminator.
+inline constexpr std::size_t kMaxShownNameLength = kMaxNameLength + 8;
 inline constexpr std::size_t kMaxTableNameLength = 40;  ///< Code points.
 inline constexpr std::size_t kMaxChatLength = 200;      ///< Code points.
 inline constexpr std::size_t kMaxDetailLength = 300;    ///< Bytes.
 inline constexpr std::size_t kMaxTableRows = 1000;      ///< Of one TableList.
 inline constexpr std::size_t kMaxEventsInRecord = 20'000;
 inline constexpr std::size_t kMaxSegmentsInRecord = 40'000;
+inline constexpr double kMaxShotDuration_s = 3600.0;
+inline constexpr double kMaxMagnitude = 1e6;  ///< Of any number of a segment or a layout.
+inline constexpr double kMinBallRadius_m = 0.001;
+inline constexpr double kMaxBallRadius_m = 1.0;
+inline constexpr std::uint32_t kMaxCount = 1'000'000;  ///< Of racks, shots and fouls.
 
 inline constexpr std::chrono::seconds kGreetingTimeout{5};
 inline constexpr std::chrono::seconds kIdleTimeout{60};

@@ -1,0 +1,280 @@
+// Takes and gives what a server says on the wire.
+#include "common/protocol/codec.h"
+#include "common/protocol/codec_enums.h"
+#include "common/protocol/codec_match.h"
+#include "common/protocol/codec_message.h"
+#include "common/protocol/codec_model.h"
+#include "common/protocol/codec_record.h"
+#include "common/protocol/codec_table.h"
+#include "proto/server.capnp.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace billiards::protocol {
+
+namespace {
+
+using Out = wire::ServerMessage::Builder;
+using protocol::read;
+using protocol::write;
+
+capnp::Data::Reader data_of(const ResumeToken& token) {
+    return {token.data(), token.size()};
+}
+
+// ---- To the wire, one a message
+
+void write(Out out, const server::Welcome& welcome) {
+    auto body = out.initWelcome();
+    body.setName(welcome.name);
+    body.setToken(data_of(welcome.token));
+    body.setServerTimeUs(welcome.server_time_us);
+    if (welcome.table) body.getTable().setId(welcome.table->value);
+}
+
+void write(Out out, const server::Refused& refused) {
+    auto body = out.initRefused();
+    body.setCode(to_wire(refused.code));
+    if (refused.match_code) body.getMatchCode().setCode(to_wire(*refused.match_code));
+    body.setDetail(clipped_detail(refused.detail));
+    body.setInReplyTo(refused.in_reply_to);
+}
+
+void write(Out out, const server::TableList& list) {
+    CHECK(list.tables.size() <= kMaxTableRows);
+    auto rows = out.initTableList().initTables(static_cast<unsigned int>(list.tables.size()));
+    for (unsigned int i = 0; i < rows.size(); ++i) write(rows[i], list.tables[i]);
+}
+
+void write(Out out, const server::TableSnapshot& snapshot) {
+    write(out.initTableSnapshot(), snapshot);
+}
+
+void write(Out out, const server::SeatChanged& changed) {
+    auto body = out.initSeatChanged();
+    body.setSequence(changed.sequence);
+    write(body.initFirstSeat(), changed.seats[model::Seat::First]);
+    write(body.initSecondSeat(), changed.seats[model::Seat::Second]);
+    body.setSpectators(changed.spectators);
+}
+
+void write(Out out, const server::MatchStarted& started) {
+    auto body = out.initMatchStarted();
+    body.setSequence(started.sequence);
+    write(body.initState(), started.state);
+    write(body.initTurn(), started.turn);
+}
+
+void write(Out out, const server::CueBallPlaced& placed) {
+    auto body = out.initCueBallPlaced();
+    body.setSequence(placed.sequence);
+    body.setSeat(to_wire(placed.seat));
+    body.setXM(placed.position_m.x);
+    body.setYM(placed.position_m.y);
+}
+
+void write(Out out, const server::AimShown& aim) {
+    auto body = out.initAimShown();
+    body.setSeat(to_wire(aim.seat));
+    body.setTurn(aim.turn.value);
+    write(body.initShot(), aim.shot);
+}
+
+void write(Out out, const server::ShotPlayed& played) {
+    write(out.initShotPlayed(), played);
+}
+
+void write(Out out, const server::TurnOpened& opened) {
+    auto body = out.initTurnOpened();
+    body.setSequence(opened.sequence);
+    body.setNumber(opened.number.value);
+    write(body.initTurn(), opened.turn);
+}
+
+void write(Out out, const server::MatchMoved& moved) {
+    auto body = out.initMatchMoved();
+    body.setSequence(moved.sequence);
+    body.setSeat(to_wire(moved.seat));
+    if (moved.choice) body.getChoice().setMade(to_wire(*moved.choice));
+    if (moved.verdict) write(body.getVerdict().initRuling(), *moved.verdict);
+    write(body.initAfter(), moved.after);
+    write(body.initTurn(), moved.turn);
+}
+
+void write(Out out, const server::MatchOver& over) {
+    auto body = out.initMatchOver();
+    body.setSequence(over.sequence);
+    body.setWinner(to_wire(over.winner));
+    write_counts(body.getRacksWon(), over.racks_won);
+    body.setShots(over.shots);
+    body.setConceded(over.conceded);
+}
+
+void write(Out out, const server::ChatSaid& said) {
+    auto body = out.initChatSaid();
+    body.setName(said.name);
+    body.setText(said.text);
+}
+
+void write(Out out, const server::Notice& notice) {
+    auto body = out.initNotice();
+    body.setCode(to_wire(notice.code));
+    body.setDetail(clipped_detail(notice.detail));
+}
+
+void write(Out out, const server::Pong& pong) {
+    auto body = out.initPong();
+    body.setClientTimeUs(pong.client_time_us);
+    body.setServerTimeUs(pong.server_time_us);
+}
+
+// ---- From the wire, one a message
+
+server::Welcome read(wire::Welcome::Reader in) {
+    server::Welcome welcome{.name = text(in.getName(), kMaxShownNameLength, "name"),
+                            .token = {},
+                            .server_time_us = in.getServerTimeUs(),
+                            .table = {}};
+    const capnp::Data::Reader token = in.getToken();
+    require(token.size() == welcome.token.size(), "token");
+    std::copy(token.begin(), token.end(), welcome.token.begin());
+    if (in.getTable().isId()) welcome.table = TableId{in.getTable().getId()};
+    return welcome;
+}
+
+server::Refused read(wire::Refused::Reader in) {
+    server::Refused refused{.code = from_wire<RefusedCode>(in.getCode(), "code"),
+                            .match_code = {},
+                            .detail = detail(in.getDetail()),
+                            .in_reply_to = in.getInReplyTo()};
+    if (in.getMatchCode().isCode()) {
+        refused.match_code =
+            from_wire<match::RefusalCode>(in.getMatchCode().getCode(), "match_code");
+    }
+    return refused;
+}
+
+server::TableList read(wire::TableList::Reader in) {
+    const auto rows = at_most(in.getTables(), kMaxTableRows, "tables");
+    server::TableList list;
+    list.tables.reserve(rows.size());
+    for (const auto row : rows) list.tables.push_back(read(row));
+    return list;
+}
+
+server::SeatChanged read(wire::SeatChanged::Reader in) {
+    return {.sequence = in.getSequence(),
+            .seats = {{read(in.getFirstSeat()), read(in.getSecondSeat())}},
+            .spectators = in.getSpectators()};
+}
+
+server::MatchStarted read(wire::MatchStarted::Reader in) {
+    return {.sequence = in.getSequence(), .state = read(in.getState()), .turn = read(in.getTurn())};
+}
+
+server::CueBallPlaced read(wire::CueBallPlaced::Reader in) {
+    return {.sequence = in.getSequence(),
+            .seat = read(in.getSeat()),
+            .position_m = {finite(in.getXM(), "position_m"), finite(in.getYM(), "position_m")}};
+}
+
+server::AimShown read(wire::AimShown::Reader in) {
+    return {.seat = read(in.getSeat()),
+            .turn = model::TurnNumber{in.getTurn()},
+            .shot = finite(read(in.getShot()))};
+}
+
+server::TurnOpened read(wire::TurnOpened::Reader in) {
+    return {.sequence = in.getSequence(),
+            .number = model::TurnNumber{in.getNumber()},
+            .turn = read(in.getTurn())};
+}
+
+server::MatchMoved read(wire::MatchMoved::Reader in) {
+    server::MatchMoved moved{.sequence = in.getSequence(),
+                             .seat = read(in.getSeat()),
+                             .choice = {},
+                             .verdict = {},
+                             .after = read(in.getAfter()),
+                             .turn = read(in.getTurn())};
+    if (in.getChoice().isMade()) {
+        moved.choice = from_wire<rules::Choice>(in.getChoice().getMade(), "choice");
+    }
+    if (in.getVerdict().isRuling()) moved.verdict = read(in.getVerdict().getRuling());
+    return moved;
+}
+
+server::MatchOver read(wire::MatchOver::Reader in) {
+    return {.sequence = in.getSequence(),
+            .winner = read(in.getWinner()),
+            .racks_won = read_counts(in.getRacksWon(), "racks_won"),
+            .shots = in.getShots(),
+            .conceded = in.getConceded()};
+}
+
+server::ChatSaid read(wire::ChatSaid::Reader in) {
+    return {.name = text(in.getName(), kMaxShownNameLength, "name"),
+            .text = text(in.getText(), kMaxChatLength, "text")};
+}
+
+server::Notice read(wire::Notice::Reader in) {
+    return {.code = from_wire<server::NoticeCode>(in.getCode(), "code"),
+            .detail = detail(in.getDetail())};
+}
+
+server::Pong read(wire::Pong::Reader in) {
+    return {.client_time_us = in.getClientTimeUs(), .server_time_us = in.getServerTimeUs()};
+}
+
+ServerMessage read(wire::ServerMessage::Reader in) {
+    switch (in.which()) {
+        case wire::ServerMessage::WELCOME:
+            return read(in.getWelcome());
+        case wire::ServerMessage::REFUSED:
+            return read(in.getRefused());
+        case wire::ServerMessage::TABLE_LIST:
+            return read(in.getTableList());
+        case wire::ServerMessage::TABLE_SNAPSHOT:
+            return read(in.getTableSnapshot());
+        case wire::ServerMessage::SEAT_CHANGED:
+            return read(in.getSeatChanged());
+        case wire::ServerMessage::MATCH_STARTED:
+            return read(in.getMatchStarted());
+        case wire::ServerMessage::CUE_BALL_PLACED:
+            return read(in.getCueBallPlaced());
+        case wire::ServerMessage::AIM_SHOWN:
+            return read(in.getAimShown());
+        case wire::ServerMessage::SHOT_PLAYED:
+            return read(in.getShotPlayed());
+        case wire::ServerMessage::TURN_OPENED:
+            return read(in.getTurnOpened());
+        case wire::ServerMessage::MATCH_MOVED:
+            return read(in.getMatchMoved());
+        case wire::ServerMessage::MATCH_OVER:
+            return read(in.getMatchOver());
+        case wire::ServerMessage::CHAT_SAID:
+            return read(in.getChatSaid());
+        case wire::ServerMessage::NOTICE:
+            return read(in.getNotice());
+        case wire::ServerMessage::PONG:
+            return read(in.getPong());
+    }
+    fail(DecodeErrorCode::UnknownKind, "server message");
+}
+
+}  // namespace
+
+SharedFrame encode(const ServerMessage& message) {
+    const auto fill = [&](Out out) {
+        std::visit([&](const auto& said) { write(out, said); }, message);
+    };
+    return framed(encode_root<wire::ServerMessage>(fill, kFrameHeaderBytes));
+}
+
+base::Result<ServerMessage, DecodeError> decode_server(std::span<const std::byte> frame) {
+    return decode_root<wire::ServerMessage>(
+        frame, [](wire::ServerMessage::Reader in) { return read(in); });
+}
+
+}  // namespace billiards::protocol

@@ -1,0 +1,204 @@
+# Gives everything that a server may say. Ordinals are only appended.
+@0xdae5e6c31cd6f44f;
+
+using Cxx = import "/capnp/c++.capnp";
+$Cxx.namespace("billiards::wire");
+
+using Model = import "model.capnp";
+using Match = import "match.capnp";
+
+enum RefusedCode {
+  malformed @0;
+  notInThisPhase @1;
+  tooMany @2;
+  greetingTimeout @3;
+  idleTimeout @4;
+  badName @5;
+  unknownToken @6;
+  unknownTable @7;
+  seatTaken @8;
+  tableFull @9;
+  tooEarly @10;
+  matchRunning @11;
+  storageFailed @12;
+  shuttingDown @13;
+  match @14;
+}
+
+enum NoticeCode { shuttingDown @0; tableClosed @1; replacedByNewConnection @2; }
+
+struct SeatView {
+  taken @0 :Bool;
+  connected @1 :Bool;
+  ready @2 :Bool;
+  name @3 :Text;
+}
+
+struct TableRow {
+  table @0 :UInt32;
+  name @1 :Text;
+  settings @2 :Match.Settings;
+  firstSeat @3 :SeatView;
+  secondSeat @4 :SeatView;
+  racksWon :group {
+    first @5 :UInt32;
+    second @6 :UInt32;
+  }
+  playing @7 :Bool;
+  spectators @8 :UInt32;
+}
+
+struct Turn {
+  opensUs @0 :Int64;
+  deadline :union {
+    none @1 :Void;
+    us @2 :Int64;
+  }
+}
+
+struct Welcome {
+  name @0 :Text;
+  token @1 :Data;
+  serverTimeUs @2 :Int64;
+  table :union {
+    none @3 :Void;
+    id @4 :UInt32;
+  }
+}
+
+struct Refused {
+  code @0 :RefusedCode;
+  matchCode :union {
+    none @1 :Void;
+    code @2 :Match.RefusalCode;
+  }
+  detail @3 :Text;
+  inReplyTo @4 :UInt32;
+}
+
+struct TableList {
+  tables @0 :List(TableRow);
+}
+
+struct ShotPlayed {
+  sequence @0 :UInt64;
+  struckUs @1 :Int64;
+  seat @2 :Model.Seat;
+  shotId @3 :UInt64;
+  shot @4 :Model.Shot;
+  call @5 :Model.Call;
+  record @6 :Model.ShotRecord;
+  verdict @7 :Match.Verdict;
+  after @8 :Match.MatchState;
+  turn @9 :Turn;
+  commitUs @10 :UInt32;
+}
+
+struct TableSnapshot {
+  sequence @0 :UInt64;
+  row @1 :TableRow;
+  yourSeats @2 :List(Model.Seat);
+  match :union {
+    none @3 :Void;
+    state @4 :Match.MatchState;
+  }
+  rolling :union {
+    none @5 :Void;
+    shot @6 :ShotPlayed;
+  }
+  turn @7 :Turn;
+  serverTimeUs @8 :Int64;
+}
+
+struct SeatChanged {
+  sequence @0 :UInt64;
+  firstSeat @1 :SeatView;
+  secondSeat @2 :SeatView;
+  spectators @3 :UInt32;
+}
+
+struct MatchStarted {
+  sequence @0 :UInt64;
+  state @1 :Match.MatchState;
+  turn @2 :Turn;
+}
+
+struct CueBallPlaced {
+  sequence @0 :UInt64;
+  seat @1 :Model.Seat;
+  xM @2 :Float64;
+  yM @3 :Float64;
+}
+
+struct AimShown {
+  seat @0 :Model.Seat;
+  turn @1 :UInt32;
+  shot @2 :Model.Shot;
+}
+
+struct TurnOpened {
+  sequence @0 :UInt64;
+  number @1 :UInt32;
+  turn @2 :Turn;
+}
+
+struct MatchMoved {
+  sequence @0 :UInt64;
+  seat @1 :Model.Seat;
+  choice :union {
+    none @2 :Void;
+    made @3 :Match.Choice;
+  }
+  verdict :union {
+    none @4 :Void;
+    ruling @5 :Match.Verdict;
+  }
+  after @6 :Match.MatchState;
+  turn @7 :Turn;
+}
+
+struct MatchOver {
+  sequence @0 :UInt64;
+  winner @1 :Model.Seat;
+  racksWon :group {
+    first @2 :UInt32;
+    second @3 :UInt32;
+  }
+  shots @4 :UInt32;
+  conceded @5 :Bool;
+}
+
+struct ChatSaid {
+  name @0 :Text;
+  text @1 :Text;
+}
+
+struct Notice {
+  code @0 :NoticeCode;
+  detail @1 :Text;
+}
+
+struct Pong {
+  clientTimeUs @0 :Int64;
+  serverTimeUs @1 :Int64;
+}
+
+struct ServerMessage {
+  union {
+    welcome @0 :Welcome;
+    refused @1 :Refused;
+    tableList @2 :TableList;
+    tableSnapshot @3 :TableSnapshot;
+    seatChanged @4 :SeatChanged;
+    matchStarted @5 :MatchStarted;
+    cueBallPlaced @6 :CueBallPlaced;
+    aimShown @7 :AimShown;
+    shotPlayed @8 :ShotPlayed;
+    turnOpened @9 :TurnOpened;
+    matchMoved @10 :MatchMoved;
+    matchOver @11 :MatchOver;
+    chatSaid @12 :ChatSaid;
+    notice @13 :Notice;
+    pong @14 :Pong;
+  }
+}
