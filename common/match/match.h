@@ -27,6 +27,7 @@ enum class RefusalCode : std::uint8_t {
     BadCall,           ///< This ball, pocket or call is not allowed now.
     BadChoice,         ///< Not one of those offered.
     Unsolvable,        ///< The engine gave up on this shot; nothing was played.
+    BadOutcome,        ///< refold only: the journalled outcome does not belong to this command.
 };
 
 struct Refusal {
