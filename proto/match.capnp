@@ -70,6 +70,7 @@ enum RefusalCode {
   badCall @9;
   badChoice @10;
   unsolvable @11;
+  badOutcome @12;
 }
 
 struct Settings {
