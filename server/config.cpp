@@ -1,0 +1,115 @@
+// Takes the command line and the environment; gives the server's configuration, or what to say
+// instead of starting.
+#include "server/config.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace billiards::server {
+namespace {
+
+/// As it was typed, before anything is made of it.
+struct Flags {
+    std::vector<std::string> listen{
+        fmt::format("127.0.0.1:{}", protocol::kDefaultPort),
+    };
+    std::string data;
+    std::string http;
+    bool plain = false;
+    LogFormat log_format = LogFormat::Text;
+};
+
+void describe(CLI::App& app, Flags& flags) {
+    const std::map<std::string, LogFormat> formats{{"text", LogFormat::Text},
+                                                   {"json", LogFormat::Json}};
+    app.set_version_flag("--version", std::string("billiards-server ") + BILLIARDS_VERSION);
+    app.add_option("--listen", flags.listen,
+                   "Address and port for clients, such as 127.0.0.1:4747 or [::1]:4747; may be "
+                   "given several times; [::] means IPv6 alone; port 0 takes a free one")
+        ->type_name("ADDRESS:PORT")
+        ->capture_default_str();
+    app.add_option("--data", flags.data,
+                   "Folder for everything that must survive [$XDG_DATA_HOME/gl-billiards, else "
+                   "~/.local/share/gl-billiards]")
+        ->type_name("FOLDER");
+    app.add_option("--http", flags.http, "Address and port for /healthz, /readyz and /metrics")
+        ->type_name("ADDRESS:PORT");
+    app.add_flag("--plain", flags.plain,
+                 "Accept that traffic is not encrypted on addresses that others can reach");
+    app.add_option("--log-format", flags.log_format, "One line an event: text or json")
+        ->transform(CLI::CheckedTransformer(formats, CLI::ignore_case))
+        ->type_name("text|json");
+}
+
+Farewell wrong(const std::string& text) {
+    return {.exit_code = 1, .text = text + "\n"};
+}
+
+base::Result<Endpoint, Farewell> endpoint_of(const char* flag, const std::string& text) {
+    if (const auto endpoint = parse_endpoint(text)) return *endpoint;
+    return wrong(fmt::format("{} {}: not an address and port, such as 127.0.0.1:4747 or [::1]:4747",
+                             flag, text));
+}
+
+base::Result<Endpoint, Farewell> listen_endpoint_of(const std::string& text, bool plain) {
+    auto endpoint = endpoint_of("--listen", text);
+    if (!endpoint || plain || is_loopback(endpoint->address())) return endpoint;
+    return wrong(fmt::format(
+        "--listen {}: others can reach this address, and the traffic would not be encrypted; add "
+        "--plain to accept that",
+        text));
+}
+
+/// By the XDG Base Directory Specification, which ignores relative paths.
+std::optional<std::filesystem::path> default_data_folder(const Environment& environment) {
+    const std::filesystem::path data_home = environment("XDG_DATA_HOME").value_or("");
+    if (data_home.is_absolute()) return data_home / "gl-billiards";
+    const std::filesystem::path home = environment("HOME").value_or("");
+    if (home.is_absolute()) return home / ".local" / "share" / "gl-billiards";
+    return std::nullopt;
+}
+
+base::Result<CommandLine, Farewell> configuration_of(const Flags& flags,
+                                                     const Environment& environment) {
+    CommandLine command_line{.server = {}, .log_format = flags.log_format};
+    for (const std::string& text : flags.listen) {
+        auto endpoint = listen_endpoint_of(text, flags.plain);
+        if (!endpoint) return std::move(endpoint).error();
+        command_line.server.listen.push_back(*endpoint);
+    }
+    if (!flags.http.empty()) {
+        auto endpoint = endpoint_of("--http", flags.http);
+        if (!endpoint) return std::move(endpoint).error();
+        command_line.server.http = *endpoint;
+    }
+    const auto data =
+        flags.data.empty() ? default_data_folder(environment) : std::filesystem::path(flags.data);
+    if (!data) return wrong("--data: neither it nor XDG_DATA_HOME nor HOME names a folder");
+    command_line.server.data = *data;
+    return command_line;
+}
+
+}  // namespace
+
+base::Result<CommandLine, Farewell> parse_command_line(int argc, const char* const* argv,
+                                                       const Environment& environment) {
+    CLI::App app("A server for gl-billiards: tables, matches, and everyone who plays or watches.",
+                 "billiards-server");
+    Flags flags;
+    describe(app, flags);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& success) {  // --help or --version
+        std::ostringstream text;
+        app.exit(success, text, text);
+        return Farewell{.exit_code = 0, .text = text.str()};
+    } catch (const CLI::ParseError& error) {
+        return wrong(std::string(error.what()) + " (--help tells what there is)");
+    }
+    return configuration_of(flags, environment);
+}
+
+}  // namespace billiards::server

@@ -1,0 +1,32 @@
+// Gives every limit of the network that is the server's own: its name and its default.
+#pragma once
+
+#include "common/protocol/limits.h"
+#include "server/net/address_limits.h"
+
+#include <chrono>
+#include <cstddef>
+
+namespace billiards::server {
+
+struct NetLimits {
+    using Milliseconds = std::chrono::milliseconds;
+
+    std::size_t connections = 20'000;  ///< Of all addresses together.
+    AddressLimits::Limits address;
+
+    /// From the connection to the end of the first message. Idle sessions are the game's affair.
+    Milliseconds greeting_timeout = protocol::kGreetingTimeout;
+    Milliseconds frame_timeout = std::chrono::seconds(5);    ///< From its header to its last byte.
+    Milliseconds closing_timeout = std::chrono::seconds(5);  ///< To take what still waits.
+    /// How often timeouts are looked at: each may be late by this much.
+    Milliseconds tick = std::chrono::seconds(1);
+    Milliseconds pause_when_out_of_sockets = std::chrono::seconds(1);
+
+    std::size_t queued_bytes = 4 * 1024 * 1024;  ///< A receiver; beyond it the connection is cut.
+    /// Said by one connection and not yet dealt with; beyond it nothing more is read from it.
+    int messages_in_flight = 32;
+    int messages_per_tick = 100;  ///< Read from one connection; the rest waits for the next tick.
+};
+
+}  // namespace billiards::server

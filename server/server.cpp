@@ -1,0 +1,235 @@
+// Takes a configuration; gives a running server, and an orderly end of it.
+#include "server/server.h"
+
+#include "server/game_loop.h"
+#include "server/net/batched_outbox.h"
+#include "server/net/network.h"
+#include "server/ops/http_server.h"
+#include "server/ops/metrics.h"
+#include "server/store/data_folder.h"
+#include "server/store/sqlite_store.h"
+#include "server/store/threaded_committer.h"
+
+#include <algorithm>
+#include <asio/executor_work_guard.hpp>
+#include <asio/io_context.hpp>
+#include <asio/post.hpp>
+#include <future>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <unistd.h>
+#include <utility>
+
+namespace billiards::server {
+namespace {
+
+/// For each of the steps of stop(): a thread that hangs must not keep the program from ending.
+constexpr std::chrono::seconds kStopStep{6};
+/// The most that the system gives in one call.
+constexpr std::size_t kRandomBytesAtOnce = 256;
+
+template <class T>
+T value_or_throw(StoreResult<T> result) {
+    if (!result) throw std::runtime_error(result.error().detail);
+    return std::move(result).value();
+}
+
+StoredWorld load_world(MatchStore& store) {
+    StoredWorld world;
+    world.players = value_or_throw(store.players());
+    world.highest = value_or_throw(store.highest_ids());
+    for (StoredMatch& match : value_or_throw(store.live_matches())) {
+        auto entries = value_or_throw(store.journal(match.match));
+        world.matches.push_back({std::move(match), std::move(entries)});
+    }
+    return world;
+}
+
+void system_random(std::span<std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const auto now = bytes.first(std::min(bytes.size(), kRandomBytesAtOnce));
+        CHECK(::getentropy(now.data(), now.size()) == 0);
+        bytes = bytes.subspan(now.size());
+    }
+}
+
+HttpResponse readiness(const LobbyStats& stats, bool stopping) {
+    if (stopping) return {.status = 503, .body = "shutting down\n"};
+    if (stats.storage_failing) return {.status = 503, .body = "storage failing\n"};
+    return {.body = "ready\n"};
+}
+
+/// One io_context and the thread that runs it, until stopped.
+class ContextThread {
+  public:
+    ~ContextThread() { stop(); }
+
+    asio::io_context& context() { return context_; }
+    void start() {
+        thread_ = std::thread([this] { context_.run(); });
+    }
+    void stop() {
+        context_.stop();
+        if (thread_.joinable()) thread_.join();
+    }
+
+  private:
+    asio::io_context context_{1};
+    asio::executor_work_guard<asio::io_context::executor_type> work_ = make_work_guard(context_);
+    std::thread thread_;
+};
+
+}  // namespace
+
+struct Server::Parts {
+    Parts(const ServerConfig& configuration, spdlog::logger& logger);
+
+    void listen();
+    void restore();
+    void start();
+    void stop();
+
+    void answer(const std::string& path, HttpRespond respond);
+    void answer_with_stats(std::function<HttpResponse(const LobbyStats&)> page,
+                           HttpRespond respond);
+
+    const ServerConfig config;
+    spdlog::logger& log;
+    DataFolder folder;
+    std::unique_ptr<MatchStore> store;  ///< Until the committer has it.
+    StoredWorld world;                  ///< Until the lobby has it.
+
+    ContextThread net;
+    ContextThread game;
+    GameLoop loop;
+    Network network;
+    BatchedOutbox outbox;
+    CommitMetrics commits;
+    ThreadedCommitter committer;
+    Lobby lobby;
+    std::optional<HttpServer> http;
+    std::uint16_t port = 0;
+    bool stopping = false;  ///< Of the network's thread.
+};
+
+Server::Parts::Parts(const ServerConfig& configuration, spdlog::logger& logger)
+    : config(configuration),
+      log(logger),
+      folder(config.data),
+      store(value_or_throw(open_sqlite_store(folder.database_file()))),
+      world(load_world(*store)),
+      loop(game.context()),
+      network(net.context(), config.net, loop, log),
+      outbox(net.context(), network),
+      committer(
+          std::move(store),
+          [this](auto answers) { loop.run([answers](Lobby&, base::Instant) { answers(); }); },
+          [this](const CommitMeasured& measured) { commits.observe(measured); }),
+      lobby(config.lobby, outbox, committer, system_random) {
+    loop.attach(lobby, outbox);
+}
+
+void Server::Parts::listen() {
+    CHECK(!config.listen.empty());
+    for (const Endpoint& endpoint : config.listen) {
+        const Endpoint taken = network.listen(endpoint);
+        if (port == 0) port = taken.port();
+        log.info("listening on {}", to_text(taken));
+    }
+    if (!config.http) return;
+    http.emplace(
+        net.context(), *config.http,
+        [this](const std::string& path, HttpRespond respond) { answer(path, std::move(respond)); },
+        log);
+    log.info("status pages on {}", to_text(http->endpoint()));
+}
+
+/// Before the game's thread runs.
+void Server::Parts::restore() {
+    const std::size_t found = world.matches.size();
+    const auto left_alone = lobby.restore(loop.now(), std::exchange(world, {}));
+    for (const std::string& reason : left_alone) log.error("not restored: {}", reason);
+    log.info("restored {} of {} matches from {}", found - left_alone.size(), found,
+             folder.path().string());
+}
+
+void Server::Parts::start() {
+    network.start();
+    if (http) http->start();
+    loop.run([](Lobby&, base::Instant) {});  // Arms the timer for what was restored.
+    net.start();
+    game.start();
+}
+
+void Server::Parts::answer(const std::string& path, HttpRespond respond) {
+    if (path == "/healthz") return respond({.body = "alive\n"});
+    if (path == "/readyz") {
+        return answer_with_stats(
+            [this](const LobbyStats& stats) { return readiness(stats, stopping); },
+            std::move(respond));
+    }
+    if (path == "/metrics") {
+        return answer_with_stats(
+            [this](const LobbyStats& stats) {
+                return HttpResponse{.content_type = "text/plain; version=0.0.4; charset=utf-8",
+                                    .body = metrics_text(network.stats(), stats, commits)};
+            },
+            std::move(respond));
+    }
+    respond({.status = 404, .body = "not found\n"});
+}
+
+/// The lobby's numbers belong to the game's thread, the page is made on the network's.
+void Server::Parts::answer_with_stats(std::function<HttpResponse(const LobbyStats&)> page,
+                                      HttpRespond respond) {
+    loop.run([this, page = std::move(page), respond = std::move(respond)](Lobby& asked,
+                                                                          base::Instant) {
+        asio::post(net.context(), [page, respond, stats = asked.stats()] { respond(page(stats)); });
+    });
+}
+
+void Server::Parts::stop() {
+    std::promise<void> committed;
+    std::promise<void> closed;
+    asio::post(net.context(), [this] { stopping = true; });
+    loop.run([this, &committed](Lobby& ending, base::Instant now) {
+        ending.shut_down(now);
+        committer.finish();
+        // Behind the answers of the last commits, so that they are published before all is closed.
+        loop.run([&committed](Lobby&, base::Instant) { committed.set_value(); });
+    });
+    committed.get_future().wait_for(kStopStep);
+    asio::post(net.context(), [this, &closed] { network.stop([&closed] { closed.set_value(); }); });
+    closed.get_future().wait_for(kStopStep);
+    net.stop();
+    game.stop();
+}
+
+Server::Server(const ServerConfig& config, spdlog::logger& log)
+    : parts_(std::make_unique<Parts>(config, log)) {
+    parts_->listen();
+    parts_->restore();
+    parts_->start();
+}
+
+Server::~Server() {
+    stop();
+}
+
+std::uint16_t Server::port() const {
+    return parts_->port;
+}
+
+std::uint16_t Server::http_port() const {
+    return parts_->http ? parts_->http->endpoint().port() : std::uint16_t{0};
+}
+
+void Server::stop() {
+    if (!parts_) return;
+    parts_->stop();
+    parts_.reset();
+}
+
+}  // namespace billiards::server
