@@ -29,6 +29,8 @@ struct LobbyLimits {
     base::Duration empty_table_kept = std::chrono::minutes(10);
     /// A shot that is on its way when the clock reaches zero still counts.
     base::Duration shot_grace = std::chrono::milliseconds(250);
+    /// How old the rows of a table list may be.
+    base::Duration table_list_kept = std::chrono::milliseconds(100);
     /// How often spectators coming and going are announced, at most.
     base::Duration spectator_count_every = std::chrono::seconds(1);
 };

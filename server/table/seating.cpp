@@ -18,6 +18,11 @@ bool Seating::are_all_ready() const {
                        [&](Seat seat) { return holders_[seat] && holders_[seat]->ready; });
 }
 
+std::optional<SessionId> Seating::session_of(Seat seat) const {
+    if (!holders_[seat]) return std::nullopt;
+    return holders_[seat]->session;
+}
+
 std::vector<Seat> Seating::seats_of(SessionId session) const {
     std::vector<Seat> seats;
     for (const Seat seat : kSeats) {
@@ -77,8 +82,13 @@ void Seating::leave(SessionId session) {
     for (const Seat seat : seats_of(session)) holders_[seat].reset();
 }
 
-void Seating::set_ready(SessionId session) {
-    for (const Seat seat : seats_of(session)) holders_[seat]->ready = true;
+bool Seating::set_ready(SessionId session) {
+    bool changed = false;
+    for (const Seat seat : seats_of(session)) {
+        changed = changed || !holders_[seat]->ready;
+        holders_[seat]->ready = true;
+    }
+    return changed;
 }
 
 void Seating::clear_ready() {

@@ -37,6 +37,7 @@ class Seating {
     bool are_all_ready() const;
     std::size_t spectators() const { return spectators_.size(); }
 
+    std::optional<SessionId> session_of(model::Seat seat) const;
     std::vector<model::Seat> seats_of(SessionId session) const;
     bool is_seated(PlayerId player) const;
     /// The first seat that nobody holds; with `or_away`, also one whose player is away.
@@ -53,7 +54,8 @@ class Seating {
     void lose(SessionId session);
     /// Gives up seats or stand.
     void leave(SessionId session);
-    void set_ready(SessionId session);
+    /// False where the session's seats were ready already.
+    bool set_ready(SessionId session);
     void clear_ready();
 
     model::PerSeat<protocol::server::SeatView> views() const;

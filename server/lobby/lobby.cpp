@@ -1,0 +1,81 @@
+// Takes calls from the network's side; hands them to the world, if they are about someone known.
+#include "server/lobby/lobby.h"
+
+#include "server/lobby/world.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace billiards::server {
+
+Lobby::Lobby(const LobbyLimits& limits, Outbox& outbox, Committer& committer, RandomBytes random)
+    : world_(std::make_unique<World>(limits, outbox, committer, std::move(random))) {}
+
+Lobby::~Lobby() = default;
+
+std::vector<std::string> Lobby::restore(base::Instant now, const StoredWorld& stored) {
+    world_->last_player = stored.highest.player;
+    world_->last_table = stored.highest.table;
+    world_->around.last_match = stored.highest.match;
+    for (const StoredPlayer& player : stored.players) world_->players.add(player);
+    std::vector<std::string> left_alone;
+    for (const StoredWorld::LiveMatch& live : stored.matches) {
+        const auto restored = world_->restore(now, live);
+        if (restored) continue;
+        left_alone.push_back("match " + std::to_string(live.match.match.value) + ": " +
+                             restored.error());
+    }
+    return left_alone;
+}
+
+void Lobby::connected(base::Instant now, SessionId session) {
+    world_->connect(now, session);
+}
+
+void Lobby::received(base::Instant now, SessionId session, const protocol::ClientMessage& message) {
+    if (Session* known = world_->session_of(session)) world_->receive(now, *known, message);
+}
+
+void Lobby::malformed(base::Instant now, SessionId session, const std::string& detail) {
+    Session* known = world_->session_of(session);
+    if (known == nullptr) return;
+    world_->refuse_illegal(now, *known, 0, protocol::RefusedCode::Malformed, detail);
+}
+
+void Lobby::disconnected(base::Instant now, SessionId session) {
+    if (Session* known = world_->session_of(session)) world_->forget(now, *known);
+}
+
+std::optional<base::Instant> Lobby::next_deadline() const {
+    const auto sessions = world_->session_deadlines.next();
+    const auto tables = world_->table_deadlines.next();
+    if (sessions && tables) return std::min(*sessions, *tables);
+    return sessions ? sessions : tables;
+}
+
+void Lobby::advance_time(base::Instant now) {
+    for (const SessionId session : world_->session_deadlines.take_due(now)) {
+        if (Session* known = world_->session_of(session)) world_->expire(now, *known);
+    }
+    for (const protocol::TableId table : world_->table_deadlines.take_due(now)) {
+        if (Table* known = world_->table_of(table)) world_->advance(now, *known, table);
+    }
+}
+
+void Lobby::shut_down(base::Instant /*now*/) {
+    world_->is_closing = true;
+    world_->announce(
+        {.code = protocol::server::NoticeCode::ShuttingDown, .detail = "the server is going down"});
+}
+
+LobbyStats Lobby::stats() const {
+    LobbyStats stats = world_->around.stats;
+    stats.sessions = world_->sessions.size();
+    stats.tables = world_->tables.size();
+    for (const auto& [id, table] : world_->tables) {
+        if (table.is_playing()) ++stats.matches_running;
+    }
+    return stats;
+}
+
+}  // namespace billiards::server

@@ -1,0 +1,113 @@
+// Gives the inside of the lobby: every session, player and table, and what each message does.
+#pragma once
+
+#include "server/lobby/lobby.h"
+#include "server/session/deadlines.h"
+#include "server/session/players.h"
+#include "server/session/session.h"
+#include "server/table/refuse.h"
+#include "server/table/surroundings.h"
+#include "server/table/table.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace billiards::server {
+
+/// One message, as its handler sees it.
+struct Heard {
+    base::Instant now;
+    Session& session;  ///< Gone once it is closed: nothing may follow that.
+    std::uint32_t request_id = 0;
+
+    Asker asker() const { return {session.id, request_id}; }
+};
+
+/// A player whose row is on its way to the disk.
+struct Entering {
+    Asker asker;
+    PlayerId player;
+    protocol::ResumeToken token{};
+    bool is_new = false;
+};
+
+struct Lobby::World {
+    World(const LobbyLimits& limits, Outbox& outbox, Committer& committer, RandomBytes random);
+
+    // world.cpp: sessions, tables and time
+    void connect(base::Instant now, SessionId id);
+    void receive(base::Instant now, Session& session, const protocol::ClientMessage& message);
+    /// Counts, and closes the session at LobbyLimits::illegal_messages.
+    void refuse_illegal(base::Instant now, Session& session, std::uint32_t request_id,
+                        protocol::RefusedCode code, const std::string& detail);
+    void close(base::Instant now, Session& session);
+    /// The connection is gone: its player is away from the table.
+    void forget(base::Instant now, Session& session);
+    void expire(base::Instant now, Session& session);
+    void advance(base::Instant now, Table& table, protocol::TableId id);
+    void close_table(protocol::TableId id);
+    void refresh_deadline(protocol::TableId id);
+    Session* session_of(SessionId id);
+    Table* table_of(protocol::TableId id);
+    void tell(SessionId to, const protocol::ServerMessage& message);
+    void announce(const protocol::server::Notice& notice);
+
+    // restore.cpp: what was durable when the server started; the error says why it stays away
+    base::Result<base::Done, std::string> restore(base::Instant now,
+                                                  const StoredWorld::LiveMatch& live);
+
+    // greeting.cpp: who a session is
+    void on(const Heard& heard, const protocol::client::Hello& hello);
+    void enrol(const Heard& heard, const std::string& name);
+    void resume(const Heard& heard, const protocol::ResumeToken& used);
+    void enter(const Heard& heard, Player& player, const protocol::ResumeToken& token, bool is_new);
+    void settle(base::Instant now, const Entering& entering, bool durable);
+    void welcome(base::Instant now, Session& session, Player& player,
+                 const protocol::ResumeToken& token);
+    void confirm_token(Session& session);
+
+    // requests.cpp: everything else that may be said
+    void on(const Heard& heard, const protocol::client::ListTables& message);
+    void on(const Heard& heard, const protocol::client::CreateTable& message);
+    void on(const Heard& heard, const protocol::client::Join& message);
+    void on(const Heard& heard, const protocol::client::Leave& message);
+    void on(const Heard& heard, const protocol::client::Ready& message);
+    void on(const Heard& heard, const protocol::client::PlaceCueBall& message);
+    void on(const Heard& heard, const protocol::client::Aim& message);
+    void on(const Heard& heard, const protocol::client::TakeShot& message);
+    void on(const Heard& heard, const protocol::client::Seen& message);
+    void on(const Heard& heard, const protocol::client::Choose& message);
+    void on(const Heard& heard, const protocol::client::Concede& message);
+    void on(const Heard& heard, const protocol::client::Chat& message);
+    void on(const Heard& heard, const protocol::client::Ping& message);
+    bool may_ask_lobby(const Heard& heard);
+    bool refuse_while_closing(const Heard& heard);
+    void take_place(const Heard& heard, protocol::TableId id, protocol::Role role);
+    void close_idle_table_of(Player& player);
+    void send_tables(base::Instant now, SessionId to);
+    Table& table_at(const Heard& heard);
+    Player& player_at(const Heard& heard);
+
+    Surroundings around;
+    std::map<SessionId, Session> sessions;
+    Players players;
+    std::map<protocol::TableId, Table> tables;
+    Deadlines<SessionId> session_deadlines;
+    Deadlines<protocol::TableId> table_deadlines;
+
+    /// One frame for all who ask within LobbyLimits::table_list_kept, unless a seat was taken or
+    /// left.
+    struct TableListFrame {
+        protocol::SharedFrame frame;
+        base::Instant made;
+    };
+    std::optional<TableListFrame> table_list;
+
+    std::uint64_t last_player = 0;
+    std::uint32_t last_table = 0;
+    bool is_closing = false;
+};
+
+}  // namespace billiards::server

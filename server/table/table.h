@@ -1,0 +1,181 @@
+// Takes what people at one table do and what time it is; gives frames to everyone there and steps
+// to the journal. Knows the network only as Outbox, the disk only as Committer.
+#pragma once
+
+#include "common/base/result.h"
+#include "common/base/time.h"
+#include "common/match/match.h"
+#include "common/match/match_state.h"
+#include "common/protocol/codec_journal.h"
+#include "common/protocol/messages.h"
+#include "server/session/rate_limit.h"
+#include "server/store/match_store.h"
+#include "server/table/outbox.h"
+#include "server/table/refold.h"
+#include "server/table/refuse.h"
+#include "server/table/seating.h"
+#include "server/table/surroundings.h"
+#include "server/table/turn_clock.h"
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace billiards::server {
+
+/// Its match moves by one step at a time: a command is applied to the last committed state,
+/// journalled, and published once that is durable. Commands that come meanwhile wait.
+class Table {
+  public:
+    /// The settings must be such that match::start takes them.
+    Table(protocol::TableId id, std::string name, const match::Settings& settings,
+          Surroundings& around, base::Instant now);
+    Table(const Table&) = delete;
+    Table& operator=(const Table&) = delete;
+
+    /// The match and the players of before a restart, who are away; their clock is full.
+    void restore(base::Instant now, const StoredMatch& stored, const Refolded& refolded,
+                 const model::PerSeat<std::string>& names);
+
+    /// The newcomer gets a snapshot, the others the change. The error says what is full.
+    base::Result<base::Done, protocol::RefusedCode> join(base::Instant now, const Visitor& visitor,
+                                                         protocol::Role role);
+    /// Whether who sat or stood here before still has a place.
+    bool has_place_for(PlayerId player) const;
+    /// Takes that place again, under a new connection; answered as join is.
+    void come_back(base::Instant now, const Visitor& visitor);
+    /// Refused to players while a match runs.
+    base::Result<base::Done, protocol::RefusedCode> leave(base::Instant now, SessionId session);
+    void lose(base::Instant now, SessionId session);
+    /// Tells those who are left; the match, if one runs, ends without a result. No step may be on
+    /// its way.
+    void close();
+
+    /// What a player asks of the match.
+    struct Command {
+        match::Command command;
+        std::uint64_t shot_id = 0;                     ///< Of a TakeShot.
+        std::optional<model::TurnNumber> only_turn{};  ///< For commands that do not name theirs.
+    };
+
+    void ready(base::Instant now, const Asker& asker);
+    void request(base::Instant now, const Asker& asker, Command command);
+    void aim(base::Instant now, SessionId session, const protocol::client::Aim& aim);
+    void seen(base::Instant now, SessionId session, std::uint64_t sequence);
+    /// The text is clean.
+    void say(base::Instant now, const Asker& asker, const std::string& name,
+             const std::string& text);
+
+    /// None while a step is on its way to the disk, but for what does not depend on it.
+    std::optional<base::Instant> next_deadline() const;
+    void advance(base::Instant now);
+
+    const Seating& seating() const { return seating_; }
+    bool is_playing() const { return match_ && match_->state.stage != match::Stage::Over; }
+    /// No player has been connected for LobbyLimits::empty_table_kept, and no step is on its way.
+    bool is_abandoned(base::Instant now) const;
+    /// No player is connected, and nothing would be lost by closing it.
+    bool is_idle() const;
+    protocol::server::TableRow row() const;
+
+  private:
+    struct LastShot {
+        std::uint64_t shot_id = 0;
+        protocol::SharedFrame frame;
+    };
+    struct Match {
+        MatchId id;
+        match::MatchState state;  ///< As last committed.
+        std::uint64_t entries = 0;
+        model::PerSeat<std::optional<LastShot>> last_shots{};
+    };
+    struct Rolling {
+        protocol::server::ShotPlayed played;
+        base::Instant rests{};
+        model::PerSeat<bool> seen{};
+    };
+    struct Request {
+        std::optional<Asker> asker;  ///< None: the clock.
+        model::PerSeat<bool> seats;  ///< Those the asker held.
+        Command what;
+    };
+    // What becomes true when it is durable.
+    struct Start {
+        Match match;
+    };
+    struct Step {
+        std::optional<Asker> asker;
+        protocol::JournalEntry entry;
+        match::MatchState next;
+    };
+    using Pending = std::variant<std::monostate, Start, Step>;
+
+    // table.cpp: people and time
+    bool is_pending() const { return !std::holds_alternative<std::monostate>(pending_); }
+    bool may_take_seat_of_absent() const;
+    bool has_room_to_watch() const;
+    std::optional<protocol::RefusedCode> take_places(const Visitor& visitor, protocol::Role role);
+    void seats_changed(base::Instant now, std::optional<SessionId> except = std::nullopt);
+    void spectators_changed(base::Instant now);
+    void open_turn(base::Instant now);
+    void open_turn_if_all_have_seen(base::Instant now);
+    bool has_clock_run_out(base::Instant now) const;
+
+    // table_steps.cpp: commands, the journal, and what follows when the disk has answered
+    void run(base::Instant now, const Request& request);
+    bool answer_repeat(const Request& request);
+    bool refuse_early(const Request& request);
+    bool refuse_stale(const Request& request);
+    model::Seat acting_seat(const Request& request) const;
+    std::optional<base::Duration> time_allowed() const;
+    void commit(base::Instant now, Step step);
+    void start_match(base::Instant now);
+    void submit(base::Instant now, Pending pending, std::vector<Write> writes);
+    void settle(const Committed& committed);
+    void happen(base::Instant now, Start start);
+    void happen(base::Instant now, Step step, const Committed& committed);
+    void undo_start();
+    void undo_step(base::Instant now, const Step& step);
+
+    // table_frames.cpp: what is told
+    void deliver_to_all(const protocol::SharedFrame& frame,
+                        std::optional<SessionId> except = std::nullopt);
+    void broadcast(const protocol::ServerMessage& message,
+                   std::optional<SessionId> except = std::nullopt);
+    void send_snapshot(base::Instant now, SessionId to);
+    void announce_seats(std::optional<SessionId> except = std::nullopt);
+    void announce_turn(std::optional<SessionId> except = std::nullopt);
+    void announce_start();
+    void announce_placement(const Step& step);
+    void announce_shot(base::Instant struck, Step step, const Committed& committed);
+    void announce_move(Step step);
+    void announce_over(bool conceded);
+    void announce_storage_failed(const std::optional<Asker>& asker);
+
+    const protocol::TableId id_;
+    const std::string name_;
+    const match::Settings settings_;
+    Surroundings& around_;
+
+    Seating seating_;
+    std::optional<Match> match_;  ///< The last one stays until the next starts.
+    std::optional<Rolling> rolling_;
+    TurnClock clock_;
+    std::uint64_t sequence_ = 0;  ///< Of the last event told to everyone here.
+
+    Pending pending_;
+    base::Instant submitted_{};  ///< When what is pending was.
+    std::deque<Request> queue_;  ///< Empty unless a step is pending.
+
+    std::optional<base::Instant> deserted_since_;  ///< No player has been connected since.
+    std::optional<base::Instant> announce_spectators_at_;
+    RateLimit aim_to_players_;
+    RateLimit aim_to_spectators_;
+    RateLimit placements_;
+    RateLimit chat_;
+};
+
+}  // namespace billiards::server
