@@ -77,6 +77,8 @@ void HeadlessPlayer::tell(const protocol::ServerMessage& message) {
     if (std::holds_alternative<server::MatchStarted>(message)) digest_ = MatchDigest{};
     if (const auto* refused = std::get_if<server::Refused>(&message)) {
         if (events_.refused) events_.refused(*refused);
+    } else if (const auto* welcome = std::get_if<server::Welcome>(&message)) {
+        if (events_.welcome) events_.welcome(*welcome);
     }
     if (!state_.table) return;
     const client::TableView& before = *state_.table;

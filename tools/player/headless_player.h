@@ -36,6 +36,7 @@ struct PlayerOptions {
 /// What it tells; each may be empty. `before` is the table as it was before the message.
 struct PlayerEvents {
     using Table = client::TableView;
+    std::function<void(const protocol::server::Welcome&)> welcome;
     std::function<void(const Table& now)> seated;  ///< At a table, or back at it.
     std::function<void(const Table& before, const protocol::server::ShotPlayed&)> shot;
     std::function<void(const Table& before, const protocol::server::MatchMoved&)> moved;
