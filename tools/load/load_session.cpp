@@ -1,0 +1,144 @@
+// Takes messages from a link; records, and answers through the player it holds.
+#include "tools/load/load_session.h"
+
+#include "client/net/clock.h"
+
+#include <utility>
+#include <variant>
+
+namespace billiards::tools {
+
+namespace {
+
+constexpr base::Duration kShortestAbsence = std::chrono::milliseconds(10);
+constexpr base::Duration kLongestAbsence = std::chrono::milliseconds(500);
+
+base::Duration spread(base::Random& random, base::Duration from, base::Duration to) {
+    return base::duration_of(random.uniform(base::seconds(from), base::seconds(to)));
+}
+
+}  // namespace
+
+LoadSession::LoadSession(asio::io_context& io, LoadSessionOptions options, Recorder& recorder,
+                         std::function<void(protocol::TableId)> in_place)
+    : options_(std::move(options)),
+      recorder_(recorder),
+      in_place_(std::move(in_place)),
+      reconnect_(options_.name, std::nullopt, options_.seed),
+      random_(options_.seed),
+      io_(io),
+      retry_(io),
+      drop_(io),
+      act_(io) {
+    if (options_.player) {
+        player_.emplace(*options_.player, PlayerEvents{},
+                        [this](protocol::ClientMessageBody body) { return send(std::move(body)); });
+    }
+    connect();
+}
+
+void LoadSession::connect() {
+    client::Link::Callbacks callbacks;
+    callbacks.connected = [this] { link_->send({.request_id = 0, .body = reconnect_.hello()}); };
+    callbacks.message = [this](protocol::ServerMessage&& message, std::size_t frame_bytes) {
+        received(message, frame_bytes);
+    };
+    callbacks.lost = [this](const client::Lost& lost) { this->lost(lost); };
+    link_.emplace(io_.get_executor(), options_.address, std::move(callbacks));
+}
+
+std::uint32_t LoadSession::send(protocol::ClientMessageBody body) {
+    const protocol::ClientMessage message{++last_request_id_, std::move(body)};
+    reconnect_.sent(message);
+    if (!is_welcome_) return message.request_id;
+    if (const auto* take = std::get_if<protocol::client::TakeShot>(&message.body)) {
+        link_->send(message, [this, shot_id = take->shot_id] {
+            recorder_.shot_sent(shot_id, client::local_now());
+        });
+    } else {
+        link_->send(message);
+    }
+    return message.request_id;
+}
+
+void LoadSession::received(const protocol::ServerMessage& message, std::size_t frame_bytes) {
+    const base::Instant now = client::local_now();
+    reconnect_.received(message, now);
+    if (const auto* shot = std::get_if<protocol::server::ShotPlayed>(&message)) {
+        recorder_.shot_received(*shot, frame_bytes, now);
+    } else if (const auto* welcome = std::get_if<protocol::server::Welcome>(&message)) {
+        on_welcome(*welcome);
+    } else if (const auto* snapshot = std::get_if<protocol::server::TableSnapshot>(&message)) {
+        on_place(snapshot->row.table);
+    } else if (const auto* refused = std::get_if<protocol::server::Refused>(&message)) {
+        recorder_.error("refused: " + refused->detail);
+    }
+    if (!player_ || player_->is_finished()) return;
+    player_->received(message, now);
+    player_->advance_time(now);
+    if (!player_->failure().empty()) recorder_.error(player_->failure());
+    wait_for_player();
+}
+
+void LoadSession::on_welcome(const protocol::server::Welcome& welcome) {
+    if (was_welcome_) recorder_.reconnected();
+    was_welcome_ = true;
+    is_welcome_ = true;
+    link_->keep_alive();
+    if (reconnect_.unanswered_shot()) link_->send(*reconnect_.unanswered_shot());
+    if (!player_ && !welcome.table) {
+        send(protocol::client::Join{.table = options_.table, .role = protocol::Role::Spectator});
+    }
+    drop_later();
+}
+
+void LoadSession::on_place(protocol::TableId table) {
+    if (options_.stops_reading_when_in_place) link_->pause_reading();
+    if (is_in_place_) return;
+    is_in_place_ = true;
+    in_place_(table);
+}
+
+void LoadSession::lost(const client::Lost& lost) {
+    is_welcome_ = false;
+    if (player_) player_->set_link(client::LinkState::Lost);
+    drop_.cancel();
+    recorder_.error("link lost: " + lost.reason);
+    const auto delay = reconnect_.lost(lost.code, client::local_now());
+    if (delay) connect_after(*delay);
+}
+
+void LoadSession::connect_after(base::Duration delay) {
+    retry_.expires_after(delay);
+    retry_.async_wait([this](const asio::error_code& error) {
+        if (!error) connect();
+    });
+}
+
+void LoadSession::drop_later() {
+    if (options_.drops_after == base::Duration::zero()) return;
+    drop_.expires_after(spread(random_, options_.drops_after / 4, options_.drops_after));
+    drop_.async_wait([this](const asio::error_code& error) {
+        if (error) return;
+        link_.reset();
+        is_welcome_ = false;
+        if (player_) player_->set_link(client::LinkState::Lost);
+        connect_after(spread(random_, kShortestAbsence, kLongestAbsence));
+    });
+}
+
+void LoadSession::wait_for_player() {
+    const std::optional<base::Instant> next = player_->next_deadline();
+    if (!next) {
+        act_.cancel();
+        return;
+    }
+    act_.expires_after(*next - client::local_now());
+    act_.async_wait([this](const asio::error_code& error) {
+        if (error) return;
+        player_->advance_time(client::local_now());
+        wait_for_player();
+    });
+}
+
+}  // namespace billiards::tools

@@ -1,0 +1,44 @@
+// Takes the command line; gives which load to make.
+#pragma once
+
+#include "client/net/address.h"
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <sys/types.h>
+#include <variant>
+
+namespace billiards::tools {
+
+enum class LoadMode : std::uint8_t {
+    Play,      ///< Two players a table, and spectators spread over the tables.
+    Idle,      ///< Tables that wait for a second player; spectators that do nothing but stay.
+    Spectate,  ///< As Play, with every spectator at the first table.
+    Slow,      ///< As Play, but the spectators stop reading once they are there.
+    Garbage,   ///< Two players a table, and as many senders of nonsense as spectators were asked.
+    Flap,      ///< As Play, but everybody drops the connection now and then, and comes back.
+};
+
+std::string_view name_of(LoadMode mode);
+
+struct LoadOptions {
+    client::ServerAddress server;
+    LoadMode mode = LoadMode::Play;
+    int tables = 10;
+    int spectators = 0;
+    double seconds = 30.0;  ///< Measured, once everybody is in place.
+    std::uint64_t seed = 1;
+    double min_think_s = 2.0;
+    double max_think_s = 6.0;
+    double aims_per_s = 10.0;  ///< 0: aims are not shown.
+    int connections_per_s = 1000;
+    double gather_s = 60.0;  ///< After which it measures with those who are in place.
+    std::optional<pid_t> server_pid;
+    std::optional<client::ServerAddress> http;
+};
+
+/// The options, or the exit code where help was printed or an error told.
+std::variant<LoadOptions, int> parse_load_options(int argc, const char* const* argv);
+
+}  // namespace billiards::tools

@@ -1,0 +1,69 @@
+// Takes samples; gives counts and quantiles.
+#include "tools/load/recorder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace billiards::tools {
+
+namespace {
+
+constexpr double kMicrosecondsPerMillisecond = 1e3;
+
+}  // namespace
+
+double Samples::at(double quantile) const {
+    if (samples_.empty()) return 0.0;
+    const auto rank =
+        static_cast<std::ptrdiff_t>(std::ceil(quantile * static_cast<double>(samples_.size())));
+    std::vector<double> sorted = samples_;
+    const auto nth = sorted.begin() + std::max<std::ptrdiff_t>(rank - 1, 0);
+    std::nth_element(sorted.begin(), nth, sorted.end());
+    return *nth;
+}
+
+nlohmann::ordered_json Samples::summary() const {
+    if (samples_.empty()) return nullptr;
+    return {{"p50", at(0.5)}, {"p99", at(0.99)}, {"max", at(1.0)}};
+}
+
+void Recorder::shot_sent(std::uint64_t shot_id, base::Instant at) {
+    // A repeat after a lost link was sent first when it was sent first.
+    if (is_measuring_) sent_.try_emplace(shot_id, Sent{.at = at});
+}
+
+void Recorder::shot_received(const protocol::server::ShotPlayed& shot, std::size_t frame_bytes,
+                             base::Instant at) {
+    const auto sent = sent_.find(shot.shot_id);
+    if (sent == sent_.end()) return;
+    const double commit_ms = shot.commit_us / kMicrosecondsPerMillisecond;
+    const double took_ms =
+        static_cast<double>((at - sent->second.at).count()) / kMicrosecondsPerMillisecond;
+    shot_to_broadcast_ms_.add(took_ms);
+    without_commit_ms_.add(std::max(took_ms - commit_ms, 0.0));
+    if (sent->second.is_answered) return;
+    sent->second.is_answered = true;
+    ++shots_;
+    commit_ms_.add(commit_ms);
+    bytes_per_shot_.add(static_cast<double>(frame_bytes));
+}
+
+nlohmann::ordered_json Recorder::report() const {
+    std::uint64_t errors = 0;
+    for (const auto& [what, count] : errors_) errors += count;
+    const auto unanswered = std::count_if(
+        sent_.begin(), sent_.end(), [](const auto& shot) { return !shot.second.is_answered; });
+    return {{"shots", shots_},
+            {"shots_unanswered", unanswered},
+            {"errors", errors},
+            {"error_kinds", errors_},
+            {"shot_to_broadcast_ms", shot_to_broadcast_ms_.summary()},
+            {"server_part_ms", without_commit_ms_.summary()},
+            {"fsync_ms", commit_ms_.summary()},
+            {"bytes_per_shot", bytes_per_shot_.summary()},
+            {"receipts", shot_to_broadcast_ms_.size()},
+            {"reconnects", reconnects_},
+            {"nonsense_sent", nonsense_}};
+}
+
+}  // namespace billiards::tools
