@@ -1,0 +1,485 @@
+// Holds the network against clients that are good, silent, slow, wrong, or too many, over real
+// sockets on this machine.
+#include "server/net/network.h"
+
+#include "tests/server/net/raw_client.h"
+#include "tests/server/net/recorded_events.h"
+
+#include <asio/executor_work_guard.hpp>
+#include <asio/post.hpp>
+#include <asio/use_future.hpp>
+#include <future>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <sstream>
+#include <string>
+#include <sys/resource.h>
+#include <thread>
+#include <unistd.h>
+
+namespace billiards::server {
+namespace {
+
+using namespace std::chrono_literals;
+using protocol::server::Refused;
+using testing::HasSubstr;
+using Kind = RecordedEvent::Kind;
+
+protocol::ClientMessage ping(std::uint32_t number) {
+    return {number, protocol::client::Ping{.client_time_us = number}};
+}
+
+protocol::SharedFrame frame_of(std::size_t bytes) {
+    return std::make_shared<const std::vector<std::byte>>(bytes, std::byte{0x5a});
+}
+
+/// A network with its thread, on a free port of this machine.
+class Running {
+  public:
+    explicit Running(const NetLimits& limits = {}) : network_(context_, limits, events, log_) {
+        port = network_.listen(*parse_endpoint("127.0.0.1:0")).port();
+        network_.start();
+        thread_ = std::thread([this] { context_.run(); });
+    }
+    ~Running() {
+        context_.stop();
+        thread_.join();
+    }
+
+    void carry_out(std::vector<Outgoing> batch) {
+        asio::post(context_, [this, batch = std::move(batch)] { network_.carry_out(batch); });
+    }
+    NetStats stats() {
+        return asio::post(context_, asio::use_future([this] { return network_.stats(); })).get();
+    }
+    std::future<void> stop() {
+        auto stopped = std::make_shared<std::promise<void>>();
+        asio::post(context_,
+                   [this, stopped] { network_.stop([stopped] { stopped->set_value(); }); });
+        return stopped->get_future();
+    }
+    std::string log_text() {
+        return asio::post(context_, asio::use_future([this] { return log_out_.str(); })).get();
+    }
+
+    RecordedEvents events;
+    std::uint16_t port = 0;
+
+  private:
+    std::ostringstream log_out_;
+    spdlog::logger log_{"test", std::make_shared<spdlog::sinks::ostream_sink_st>(log_out_)};
+    asio::io_context context_{1};
+    Network network_;
+    std::thread thread_;
+};
+
+/// Timeouts that a test can wait for.
+NetLimits impatient() {
+    NetLimits limits;
+    limits.greeting_timeout = 60ms;
+    limits.frame_timeout = 60ms;
+    limits.closing_timeout = 60ms;
+    limits.tick = 10ms;
+    return limits;
+}
+
+/// A client past its preamble and its first message, and the session that it is.
+struct Greeted {
+    explicit Greeted(Running& running, std::optional<int> receive_buffer_bytes = {})
+        : client(running.port, receive_buffer_bytes) {
+        const std::size_t before = running.events.count(Kind::Received);
+        client.send_preamble();
+        client.send(ping(0));
+        EXPECT_TRUE(client.receive_preamble());
+        const auto first = running.events.wait_for(Kind::Received, before + 1);
+        EXPECT_TRUE(first);
+        if (first) session = first->session;
+        running.carry_out({{session, Outgoing::Kind::Handled, nullptr}});
+    }
+
+    RawClient client;
+    SessionId session;
+};
+
+void expect_refused(RawClient& client, protocol::RefusedCode code, const std::string& detail) {
+    const auto refused = client.receive_next<Refused>();
+    ASSERT_TRUE(refused);
+    EXPECT_EQ(refused->code, code);
+    EXPECT_THAT(refused->detail, HasSubstr(detail));
+    EXPECT_TRUE(client.is_closed_by_other_side());
+}
+
+TEST(Network, SendsItsPreambleToAClientThatHasSaidNothing) {
+    Running running;
+    RawClient client(running.port);
+    EXPECT_EQ(client.receive_preamble(), protocol::Preamble{});
+    EXPECT_EQ(running.events.count(Kind::Connected), 0U);
+}
+
+TEST(Network, TellsOfASessionWhenItsPreambleIsWhole) {
+    Running running;
+    RawClient client(running.port);
+    client.send_preamble();
+    EXPECT_TRUE(running.events.wait_for(Kind::Connected));
+}
+
+TEST(Network, HandsOnTheMessagesOfAClientInOrder) {
+    Running running;
+    RawClient client(running.port);
+    client.send_preamble();
+    for (std::uint32_t number = 1; number <= 20; ++number) client.send(ping(number));
+    for (std::uint32_t number = 1; number <= 20; ++number) {
+        const auto received = running.events.wait_for(Kind::Received, number);
+        ASSERT_TRUE(received);
+        EXPECT_EQ(received->message, ping(number));
+    }
+}
+
+TEST(Network, HandsOnAMessageThatArrivesByteByByte) {
+    Running running;
+    RawClient client(running.port);
+    client.send_preamble();
+    const auto frame = protocol::encode(ping(7));
+    for (const std::byte& byte : *frame) ASSERT_TRUE(client.send(std::span(&byte, 1)));
+    const auto received = running.events.wait_for(Kind::Received);
+    ASSERT_TRUE(received);
+    EXPECT_EQ(received->message, ping(7));
+}
+
+TEST(Network, TellsOfTheEndOfASessionOnce) {
+    Running running;
+    { const Greeted gone(running); }
+    ASSERT_TRUE(running.events.wait_for(Kind::Disconnected));
+    Greeted next(running);
+    EXPECT_EQ(running.events.count(Kind::Disconnected), 1U);
+    EXPECT_EQ(running.stats().connections, 1U);
+}
+
+TEST(Network, ClosesOnBytesThatAreNoPreambleWithoutTellingTheGame) {
+    Running running;
+    RawClient client(running.port);
+    client.send("GET / HTTP/1.1\r\nHost: a\r\n\r\n");
+    EXPECT_TRUE(client.receive_preamble());
+    EXPECT_TRUE(client.is_closed_by_other_side());
+    EXPECT_TRUE(running.events.all().empty());
+    EXPECT_EQ(running.stats().malformed, 1U);
+}
+
+TEST(Network, RefusesAnotherMajorVersionInWordsThatNameBoth) {
+    Running running;
+    RawClient client(running.port);
+    client.send_preamble({.major = 4711});
+    expect_refused(client, protocol::RefusedCode::Malformed, "4711");
+    EXPECT_TRUE(running.events.all().empty());
+}
+
+struct HeaderCase {
+    const char* name;
+    bool greeted;
+    std::size_t frame_bytes;
+};
+
+class NetworkHeader : public testing::TestWithParam<HeaderCase> {};
+
+TEST_P(NetworkHeader, IsRefusedAndTheSessionEnds) {
+    Running running;
+    std::optional<Greeted> greeted;
+    std::optional<RawClient> fresh;
+    if (GetParam().greeted) {
+        greeted.emplace(running);
+    } else {
+        fresh.emplace(running.port).send_preamble();
+        EXPECT_TRUE(fresh->receive_preamble());
+    }
+    RawClient& client = greeted ? greeted->client : *fresh;
+    client.send(protocol::encode_frame_header(GetParam().frame_bytes));
+    expect_refused(client, protocol::RefusedCode::Malformed, "");
+    EXPECT_TRUE(running.events.wait_for(Kind::Disconnected));
+    EXPECT_EQ(running.events.count(Kind::Received), GetParam().greeted ? 1U : 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Bad, NetworkHeader,
+    testing::Values(HeaderCase{"Empty", true, 0}, HeaderCase{"NoMultipleOfEight", true, 12},
+                    HeaderCase{"OverEightKibibytes", true, protocol::kMaxClientFrameBytes + 8},
+                    HeaderCase{"Huge", true, 0xffffffff},
+                    HeaderCase{"OverTheLimitOfAGreeting", false,
+                               protocol::kMaxGreetingFrameBytes + 8}),
+    [](const auto& param) { return std::string(param.param.name); });
+
+TEST(Network, TakesTheLongestFrameThatIsAllowed) {
+    Running running;
+    Greeted greeted(running);
+    greeted.client.send(protocol::encode_frame_header(protocol::kMaxClientFrameBytes));
+    greeted.client.send(std::vector<std::byte>(protocol::kMaxClientFrameBytes));
+    greeted.client.send(ping(2));
+    EXPECT_TRUE(running.events.wait_for(Kind::Malformed));
+    EXPECT_TRUE(running.events.wait_for(Kind::Received, 2));
+}
+
+TEST(Network, GoesOnAfterAFrameThatHoldsNoMessage) {
+    Running running;
+    RawClient client(running.port);
+    client.send_preamble();
+    client.send(protocol::encode_frame_header(16));
+    client.send(std::vector<std::byte>(16, std::byte{0xff}));
+    client.send(ping(1));
+    EXPECT_TRUE(running.events.wait_for(Kind::Malformed));
+    EXPECT_TRUE(running.events.wait_for(Kind::Received));
+}
+
+TEST(Network, StandsWhateverBytesAreSent) {
+    Running running;
+    ASSERT_TRUE(rc::check("random bytes", [&](const std::vector<std::uint8_t>& bytes) {
+        RawClient client(running.port);
+        client.send_preamble();
+        client.send(std::as_bytes(std::span(bytes)));
+    }));
+    Greeted next(running);
+    EXPECT_NE(next.session.value, 0U);
+}
+
+TEST(Network, ClosesAClientThatSaysNothing) {
+    Running running(impatient());
+    RawClient client(running.port);
+    EXPECT_TRUE(client.receive_preamble());
+    EXPECT_TRUE(client.is_closed_by_other_side());
+    EXPECT_EQ(running.stats().timed_out, 1U);
+}
+
+TEST(Network, RefusesAClientThatDoesNotGreetInTime) {
+    Running running(impatient());
+    RawClient client(running.port);
+    client.send_preamble();
+    EXPECT_TRUE(client.receive_preamble());
+    expect_refused(client, protocol::RefusedCode::GreetingTimeout, "0.06 s");
+    EXPECT_TRUE(running.events.wait_for(Kind::Disconnected));
+}
+
+TEST(Network, GivesAGreetingNoMoreTimeForComingInDrops) {
+    Running running(impatient());
+    RawClient client(running.port);
+    client.send_preamble();
+    EXPECT_TRUE(client.receive_preamble());
+    const auto frame = protocol::encode(ping(1));
+    std::size_t sent = 0;
+    // Each wait for an answer that does not come is the pace; the whole frame would take longer
+    // than the test may.
+    while (sent < frame->size() && client.receive(1, 10ms).empty()) {
+        client.send(std::span(*frame).subspan(sent++, 1));
+    }
+    EXPECT_LT(sent, frame->size());
+    EXPECT_TRUE(running.events.wait_for(Kind::Disconnected));
+    EXPECT_EQ(running.events.count(Kind::Received), 0U);
+}
+
+TEST(Network, RefusesAFrameThatIsBegunAndNotEndedInTime) {
+    Running running(impatient());
+    Greeted greeted(running);
+    greeted.client.send(protocol::encode_frame_header(64));
+    greeted.client.send("half");
+    expect_refused(greeted.client, protocol::RefusedCode::IdleTimeout, "frame");
+    EXPECT_TRUE(running.events.wait_for(Kind::Disconnected));
+}
+
+TEST(Network, LeavesAGreetedClientAloneHoweverLongItIsSilent) {
+    Running running(impatient());
+    Greeted patient(running);
+    RawClient silent(running.port);
+    EXPECT_TRUE(silent.receive_preamble());
+    EXPECT_TRUE(silent.is_closed_by_other_side());  // Came later, and its time is over.
+    EXPECT_EQ(running.events.count(Kind::Disconnected), 0U);
+    EXPECT_TRUE(patient.client.send(ping(2)));
+    EXPECT_TRUE(running.events.wait_for(Kind::Received, 2));
+}
+
+TEST(Network, SendsFramesInOrderAndEverythingBeforeItCloses) {
+    Running running;
+    Greeted greeted(running);
+    greeted.client.send("unread by the server when it closes");
+    std::vector<Outgoing> batch;
+    RawClient::Bytes expected;
+    for (std::size_t i = 0; i < 40; ++i) {
+        auto frame = std::make_shared<const std::vector<std::byte>>(40'000, std::byte(i));
+        expected.insert(expected.end(), frame->begin(), frame->end());
+        batch.push_back({greeted.session, Outgoing::Kind::Ordered, std::move(frame)});
+    }
+    batch.push_back({greeted.session, Outgoing::Kind::Close, nullptr});
+    batch.push_back({greeted.session, Outgoing::Kind::Ordered, frame_of(8)});
+    running.carry_out(std::move(batch));
+    EXPECT_EQ(greeted.client.receive_all(), expected);
+    EXPECT_TRUE(running.events.wait_for(Kind::Disconnected));
+}
+
+TEST(Network, ClosesEvenWhereTheClientTakesNothingAnyMore) {
+    Running running(impatient());
+    Greeted greeted(running, 4096);
+    std::vector<Outgoing> batch(40, {greeted.session, Outgoing::Kind::Ordered, frame_of(100'000)});
+    batch.push_back({greeted.session, Outgoing::Kind::Close, nullptr});
+    running.carry_out(std::move(batch));
+    EXPECT_TRUE(running.events.wait_for(Kind::Disconnected));
+    EXPECT_EQ(running.stop().wait_for(5s), std::future_status::ready);
+}
+
+TEST(Network, CutsAReceiverThatIsTooSlowAndNoOneElse) {
+    NetLimits limits;
+    limits.queued_bytes = 200'000;
+    Running running(limits);
+    Greeted slow(running, 4096);
+    Greeted good(running);
+    const protocol::SharedFrame frame = frame_of(100'000);
+    std::size_t good_bytes = 0;
+    // More than the system's buffers can hold for the slow one.
+    for (int round = 0; round < 200 && running.events.count(Kind::Disconnected) == 0; ++round) {
+        running.carry_out({{slow.session, Outgoing::Kind::Ordered, frame},
+                           {good.session, Outgoing::Kind::Ordered, frame}});
+        good_bytes += good.client.receive(frame->size()).size();
+        EXPECT_EQ(good_bytes, frame->size() * static_cast<std::size_t>(round + 1));
+    }
+    const auto cut = running.events.wait_for(Kind::Disconnected);
+    ASSERT_TRUE(cut);
+    EXPECT_EQ(cut->session, slow.session);
+    EXPECT_EQ(running.stats().too_slow, 1U);
+    EXPECT_EQ(running.stats().connections, 1U);
+}
+
+TEST(Network, ReadsNoFurtherThanTheGameFollows) {
+    NetLimits limits;
+    limits.messages_in_flight = 3;
+    Running running(limits);
+    Greeted greeted(running);
+    for (std::uint32_t number = 1; number <= 5; ++number) greeted.client.send(ping(number));
+    ASSERT_TRUE(running.events.wait_for(Kind::Received, 4));
+    { const Greeted another(running); }  // By now a fifth would have been read.
+    ASSERT_TRUE(running.events.wait_for(Kind::Disconnected));
+    EXPECT_EQ(running.events.count(Kind::Received), 5U);
+    running.carry_out(std::vector<Outgoing>(2, {greeted.session, Outgoing::Kind::Handled, {}}));
+    const auto last = running.events.wait_for(Kind::Received, 7);
+    ASSERT_TRUE(last);
+    EXPECT_EQ(last->message, ping(5));
+}
+
+TEST(Network, ReadsOnlySoManyMessagesATick) {
+    NetLimits limits;
+    limits.messages_per_tick = 3;
+    limits.tick = 20ms;
+    Running running(limits);
+    RawClient client(running.port);
+    client.send_preamble();
+    const auto start = std::chrono::steady_clock::now();
+    for (std::uint32_t number = 1; number <= 12; ++number) client.send(ping(number));
+    EXPECT_TRUE(running.events.wait_for(Kind::Received, 12));
+    EXPECT_GE(std::chrono::steady_clock::now() - start, 2 * limits.tick);
+}
+
+TEST(Network, TurnsAwayInWordsWhoIsOverTheLimitAndTakesTheNextOneInItsPlace) {
+    NetLimits limits;
+    limits.connections = 1;
+    Running running(limits);
+    {
+        Greeted first(running);
+        RawClient second(running.port);
+        EXPECT_TRUE(second.receive_preamble());
+        expect_refused(second, protocol::RefusedCode::TooMany, "too many connections");
+        EXPECT_EQ(running.stats().turned_away, 1U);
+    }
+    ASSERT_TRUE(running.events.wait_for(Kind::Disconnected));
+    Greeted third(running);
+    EXPECT_EQ(running.stats().accepted, 2U);
+}
+
+TEST(Network, SaysWhichAddressIsInUse) {
+    Running running;
+    asio::io_context context;
+    RecordedEvents events;
+    spdlog::logger log("test");
+    Network second(context, {}, events, log);
+    const Endpoint taken(asio::ip::address_v4::loopback(), running.port);
+    try {
+        second.listen(taken);
+        FAIL() << "listens twice";
+    } catch (const std::runtime_error& error) {
+        EXPECT_THAT(error.what(), HasSubstr(to_text(taken)));
+        EXPECT_THAT(error.what(), HasSubstr("already in use"));
+    }
+}
+
+TEST(Network, SaysWhichAddressIsNotThisMachines) {
+    asio::io_context context;
+    RecordedEvents events;
+    spdlog::logger log("test");
+    Network network(context, {}, events, log);
+    try {
+        network.listen(*parse_endpoint("192.0.2.1:0"));  // Of documentation: RFC 5737.
+        FAIL() << "listens on an address of documentation";
+    } catch (const std::runtime_error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("192.0.2.1:0"));
+        EXPECT_THAT(error.what(), HasSubstr("assign"));
+    }
+}
+
+/// Leaves this process one descriptor to open, for as long as it lives.
+class OneMoreDescriptor {
+  public:
+    OneMoreDescriptor() {
+        ::getrlimit(RLIMIT_NOFILE, &before_);
+        const int lowest_free = ::dup(0);
+        ::close(lowest_free);
+        rlimit few = before_;
+        few.rlim_cur = static_cast<rlim_t>(lowest_free) + 1;
+        ::setrlimit(RLIMIT_NOFILE, &few);
+    }
+    ~OneMoreDescriptor() { ::setrlimit(RLIMIT_NOFILE, &before_); }
+    OneMoreDescriptor(const OneMoreDescriptor&) = delete;
+    OneMoreDescriptor& operator=(const OneMoreDescriptor&) = delete;
+
+  private:
+    rlimit before_{};
+};
+
+TEST(Network, TakesClientsInOnceThereAreDescriptorsAgain) {
+    NetLimits limits;
+    limits.pause_when_out_of_sockets = 5ms;
+    Running running(limits);
+    std::optional<OneMoreDescriptor> shortage(std::in_place);
+    RawClient client(running.port);  // Has the last descriptor, so the server cannot accept it.
+    const auto end = std::chrono::steady_clock::now() + 5s;
+    while (running.log_text().empty() && std::chrono::steady_clock::now() < end) {
+    }
+    EXPECT_THAT(running.log_text(), HasSubstr("cannot accept on 127.0.0.1"));
+    shortage.reset();
+    EXPECT_TRUE(client.receive_preamble());
+}
+
+TEST(Network, SendsEveryoneAwayBeforeItStops) {
+    Running running;
+    Greeted one(running);
+    Greeted two(running);
+    running.carry_out({{one.session, Outgoing::Kind::Ordered, frame_of(1000)}});
+    auto stopped = running.stop();
+    EXPECT_EQ(one.client.receive_all().size(), 1000U);
+    EXPECT_TRUE(two.client.is_closed_by_other_side());
+    EXPECT_TRUE(running.events.wait_for(Kind::Disconnected, 2));
+    EXPECT_THROW(RawClient(running.port), std::system_error);
+}
+
+TEST(Network, CountsWhatGoesInAndOut) {
+    Running running;
+    Greeted greeted(running);
+    running.carry_out({{greeted.session, Outgoing::Kind::Ordered, frame_of(100)}});
+    EXPECT_EQ(greeted.client.receive(100).size(), 100U);
+    greeted.client.send(ping(1));
+    ASSERT_TRUE(running.events.wait_for(Kind::Received, 2));
+    const NetStats stats = running.stats();
+    EXPECT_EQ(stats.accepted, 1U);
+    EXPECT_EQ(stats.frames_in, 2U);
+    EXPECT_EQ(stats.bytes_in,
+              protocol::encode(ping(0))->size() + protocol::encode(ping(1))->size());
+    EXPECT_EQ(stats.frames_out, 2U);
+    EXPECT_EQ(stats.bytes_out, protocol::kPreambleBytes + 100U);
+}
+
+}  // namespace
+}  // namespace billiards::server
