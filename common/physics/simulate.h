@@ -53,8 +53,11 @@ struct BallStart {
 
 /// What only proofs ask for, measured over all events of a shot.
 struct Diagnostics {
-    double max_energy_rise_j = 0.0;   ///< The largest rise of the total energy at any event.
-    std::optional<double> min_gap_m;  ///< The smallest gap between two balls; none with one ball.
+    /// The largest rise of the total energy from after one event to after the next.
+    double max_energy_rise_j = 0.0;
+    /// The smallest gap between two balls at any event; none with one ball. Balls that overlap at
+    /// the start count once they have opened.
+    std::optional<double> min_gap_m;
 };
 
 /// Whether a strike's numbers make sense: power in (0, 1], offset within 0.5, elevation in

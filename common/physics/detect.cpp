@@ -1,0 +1,100 @@
+// Takes two motions; gives the time of their next contact.
+#include "common/physics/detect.h"
+
+#include "common/physics/motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace billiards::physics {
+
+namespace {
+
+using base::Vec2;
+using base::Vec3;
+
+/// Touching bodies that part slower than this come back before rounding can tell that they opened.
+constexpr double kSlowParting_mps = 1e-6;
+
+/// The rules of contact, over a family of polynomials: descent_to(gap) is the first time at which
+/// the gap falls through that value, having been above it.
+template <class DescentTo>
+double next_contact_s(double gap_m, double rate_mps, DescentTo descent_to) {
+    if (gap_m > kTouching_m) return descent_to(0.0);
+    if (rate_mps < -kClosing_mps) return 0.0;
+    const bool has_sunk = gap_m < -1.5 * kRestingDepth_m ||
+                          (gap_m < -0.9 * kRestingDepth_m && rate_mps < kSlowParting_mps);
+    const double depth = has_sunk ? gap_m - kRestingDepth_m : -kRestingDepth_m;
+    return std::min(descent_to(kTouching_m), descent_to(depth));
+}
+
+/// |d + v t + a t^2 / 2|^2 - distance^2.
+Polynomial squared_distance(const Course& course, double distance_m) {
+    const Vec3& d = course.position_m;
+    const Vec3& v = course.velocity_mps;
+    const Vec3& a = course.acceleration_mps2;
+    return {{glm::dot(d, d) - distance_m * distance_m, 2.0 * glm::dot(d, v),
+             glm::dot(v, v) + glm::dot(d, a), glm::dot(v, a), 0.25 * glm::dot(a, a)}};
+}
+
+bool is_still(const Course& course) {
+    return course.velocity_mps == Vec3{} && course.acceleration_mps2 == Vec3{};
+}
+
+/// One Newton step on the gap itself, whose rounding is smaller than that of its square.
+double polished(const Course& course, double distance_m, double time_s) {
+    const Vec3 d = course.position_m +
+                   (course.velocity_mps + course.acceleration_mps2 * (time_s / 2)) * time_s;
+    const Vec3 v = course.velocity_mps + course.acceleration_mps2 * time_s;
+    const double distance = std::sqrt(glm::dot(d, d));
+    const double rate = glm::dot(d, v) / distance;
+    const double step = (distance - distance_m) / rate;
+    return std::abs(step) < 1e-9 ? std::max(0.0, time_s - step) : time_s;
+}
+
+}  // namespace
+
+double meeting_s(const Course& difference, double distance_m, double horizon_s) {
+    if (is_still(difference)) return kNever_s;
+    const double distance = std::sqrt(glm::dot(difference.position_m, difference.position_m));
+    const double rate = glm::dot(difference.position_m, difference.velocity_mps) / distance;
+    const Polynomial gap_squared = squared_distance(difference, distance_m);
+    return next_contact_s(distance - distance_m, rate, [&](double gap) {
+        Polynomial p = gap_squared;
+        p.c[0] -= gap * (2.0 * distance_m + gap);
+        const double time = first_descent(p, horizon_s);
+        return time < kNever_s ? polished(difference, distance_m + gap, time) : kNever_s;
+    });
+}
+
+double meeting_s(const Course& course, const Line& line, double distance_m, double horizon_s) {
+    const Vec2 offset = base::horizontal(course.position_m) - line.point_m;
+    const double gap = glm::dot(line.normal, offset) - distance_m;
+    const double rate = glm::dot(line.normal, base::horizontal(course.velocity_mps));
+    const double acceleration = glm::dot(line.normal, base::horizontal(course.acceleration_mps2));
+    if (rate == 0.0 && acceleration == 0.0) return kNever_s;
+    const bool is_behind = gap < -distance_m;
+    if (is_behind) return falling_s(gap, rate, acceleration, horizon_s);
+    return next_contact_s(gap, rate, [&](double target) {
+        return falling_s(gap - target, rate, acceleration, horizon_s);
+    });
+}
+
+double entering_s(const Course& difference, double radius_m, double horizon_s) {
+    Course flat = difference;
+    flat.position_m.z = flat.velocity_mps.z = flat.acceleration_mps2.z = 0.0;
+    if (is_still(flat)) return kNever_s;
+    return first_descent(squared_distance(flat, radius_m), horizon_s);
+}
+
+double falling_s(double value, double rate, double acceleration, double horizon_s) {
+    // Of a parabola's two roots t = (-b +- sqrt(D)) / a the falling one has the slope -sqrt(D);
+    // each sign of b has the form of it that does not cancel.
+    const double discriminant = rate * rate - 2.0 * acceleration * value;
+    if (discriminant < 0.0) return kNever_s;
+    const double root = std::sqrt(discriminant);
+    const double time = rate > 0.0 ? -(rate + root) / acceleration : 2.0 * value / (root - rate);
+    return time > 0.0 && time <= horizon_s ? time : kNever_s;
+}
+
+}  // namespace billiards::physics

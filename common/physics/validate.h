@@ -1,0 +1,30 @@
+// Takes what a shot starts from; gives what is wrong with it, by name.
+#pragma once
+
+#include "common/model/shot.h"
+#include "common/model/table_spec.h"
+#include "common/physics/parameters.h"
+#include "common/physics/simulate.h"
+
+#include <span>
+
+namespace billiards::physics {
+
+/// How far bodies may overlap when a shot starts; they count as touching.
+inline constexpr double kMostOverlap_m = 1e-6;
+
+// What lies beyond these is no game of billiards, and would strain the numbers of the engine.
+inline constexpr double kMostPosition_m = 100.0;
+inline constexpr double kMostSpeed_mps = 100.0;
+inline constexpr double kMostSpin_radps = 10'000.0;
+inline constexpr double kLeastRadius_m = 0.001;
+inline constexpr double kMostRadius_m = 1.0;
+inline constexpr double kLeastMass_kg = 0.001;
+inline constexpr double kMostMass_kg = 100.0;
+
+Result<base::Done> validate(const Parameters& parameters);
+Result<base::Done> validate(const model::TableSpec& table);
+/// Numbers, ids, overlaps and places; the table and the parameters must be valid.
+Result<base::Done> validate(const model::TableSpec& table, std::span<const BallStart> balls);
+
+}  // namespace billiards::physics
