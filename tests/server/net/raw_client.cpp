@@ -7,6 +7,7 @@
 #include <array>
 #include <cerrno>
 #include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <system_error>
@@ -35,6 +36,9 @@ RawClient::RawClient(std::uint16_t port, std::optional<int> receive_buffer_bytes
         throw_on_failure(::setsockopt(descriptor_, SOL_SOCKET, SO_RCVBUF, &*receive_buffer_bytes,
                                       sizeof *receive_buffer_bytes));
     }
+    const int no_delay = 1;
+    throw_on_failure(
+        ::setsockopt(descriptor_, IPPROTO_TCP, TCP_NODELAY, &no_delay, sizeof no_delay));
     set_limit(descriptor_, SO_SNDTIMEO);
     sockaddr_in address{};
     address.sin_family = AF_INET;

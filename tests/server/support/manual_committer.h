@@ -1,0 +1,96 @@
+// Takes writes as the store would; makes them durable, or fails, when the test says so.
+#pragma once
+
+#include "server/lobby/lobby.h"
+#include "server/store/committer.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <map>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace billiards::server {
+
+class ManualCommitter final : public Committer {
+  public:
+    /// How long each commit says that it took.
+    base::Duration takes = std::chrono::milliseconds(3);
+
+    void submit(std::vector<Write> writes, Done done) override {
+        waiting_.push_back({std::move(writes), std::move(done)});
+    }
+
+    std::size_t waiting() const { return waiting_.size(); }
+    /// The writes that have waited longest.
+    const std::vector<Write>& next() const { return waiting_.front().writes; }
+
+    void complete() {
+        Submission submission = take();
+        for (const Write& write : submission.writes) {
+            std::visit([this](const auto& one) { keep(one); }, write);
+        }
+        submission.done({.result = base::Done{}, .took = takes});
+    }
+    void fail() {
+        take().done({.result = StoreError{StoreErrorCode::Full, "disk full"}, .took = takes});
+    }
+    void complete_all() {
+        while (!waiting_.empty()) complete();
+    }
+    /// The server is killed: nobody waits for the answers any more.
+    void kill() { waiting_.clear(); }
+
+    /// What a server that starts now would find.
+    StoredWorld durable() const {
+        StoredWorld world;
+        for (const auto& [id, player] : players_) {
+            world.players.push_back(player);
+            world.highest.player = std::max(world.highest.player, id.value);
+        }
+        for (const auto& [id, match] : matches_) {
+            world.highest.match = std::max(world.highest.match, id.value);
+            world.highest.table = std::max(world.highest.table, match.stored.table.value);
+            if (!match.finished) world.matches.push_back({match.stored, match.entries});
+        }
+        return world;
+    }
+    std::vector<StoredEntry> journal(MatchId match) const { return matches_.at(match).entries; }
+
+  private:
+    struct Submission {
+        std::vector<Write> writes;
+        Done done;
+    };
+    struct Match {
+        StoredMatch stored;
+        std::vector<StoredEntry> entries;
+        bool finished = false;
+    };
+
+    Submission take() {
+        CHECK(!waiting_.empty());
+        Submission submission = std::move(waiting_.front());
+        waiting_.pop_front();
+        return submission;
+    }
+    void keep(const SavePlayer& write) { players_[write.player.player] = write.player; }
+    void keep(const SaveMatch& write) { matches_[write.match.match].stored = write.match; }
+    void keep(const AppendEntry& write) {
+        Match& match = matches_.at(write.match);
+        EXPECT_EQ(write.entry.sequence, match.entries.size() + 1);
+        EXPECT_FALSE(match.finished);
+        match.entries.push_back(write.entry);
+    }
+    void keep(const FinishMatch& write) { matches_.at(write.match).finished = true; }
+
+    std::deque<Submission> waiting_;
+    std::map<PlayerId, StoredPlayer> players_;
+    std::map<MatchId, Match> matches_;
+};
+
+}  // namespace billiards::server
