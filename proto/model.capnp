@@ -86,6 +86,5 @@ struct ShotRecord {
   segmentTimes @5 :List(UInt16);  # Of each segment: an index into timesS.
   segmentForms @6 :List(UInt8);
   numbers @7 :List(Float32);  # Of all segments, one after another.
-  twistRateRadps2 @8 :Float32;  # How fast every spin about the vertical decays, unless restated.
-  finalLayout @9 :Layout;
+  finalLayout @8 :Layout;
 }

@@ -72,17 +72,6 @@ void write(wire::Event::Builder out, const ShotEvent& event, const std::vector<d
     CHECK(false);
 }
 
-/// The rate that most spins share: the first that is not 0, through 32 bits.
-double common_twist_rate(const timeline::Timeline& timeline) {
-    for (const timeline::BallTrack& track : timeline.tracks) {
-        for (const Segment& segment : track.segments) {
-            const auto rate = static_cast<float>(segment.spin_rate_radps2.z);
-            if (rate != 0) return std::abs(rate);
-        }
-    }
-    return 0.0;
-}
-
 /// The segments of all tracks, one after another.
 struct Columns {
     std::vector<std::uint16_t> times;
@@ -90,14 +79,12 @@ struct Columns {
     std::vector<float> numbers;
 };
 
-Columns columns_of(const timeline::Timeline& timeline, double twist_rate_radps2,
-                   const std::vector<double>& times) {
+Columns columns_of(const timeline::Timeline& timeline, const std::vector<double>& times) {
     Columns columns;
     for (const timeline::BallTrack& track : timeline.tracks) {
-        const SegmentContext context{track.radius_m, twist_rate_radps2};
         for (const Segment& segment : track.segments) {
             columns.times.push_back(index_of(segment.start_s, times));
-            columns.forms.push_back(pack(segment, context, columns.numbers));
+            columns.forms.push_back(pack(segment, track.radius_m, columns.numbers));
         }
     }
     return columns;
@@ -114,8 +101,6 @@ unsigned int size_of(const auto& values) {
 
 void write(wire::ShotRecord::Builder out, const timeline::Timeline& timeline,
            const std::vector<double>& times) {
-    const double twist_rate_radps2 = common_twist_rate(timeline);
-    out.setTwistRateRadps2(static_cast<float>(twist_rate_radps2));
     auto tracks = out.initTracks(size_of(timeline.tracks));
     for (unsigned int i = 0; i < tracks.size(); ++i) {
         const timeline::BallTrack& track = timeline.tracks[i];
@@ -123,7 +108,7 @@ void write(wire::ShotRecord::Builder out, const timeline::Timeline& timeline,
         tracks[i].setRadiusM(track.radius_m);
         tracks[i].setSegments(static_cast<std::uint16_t>(track.segments.size()));
     }
-    const Columns columns = columns_of(timeline, twist_rate_radps2, times);
+    const Columns columns = columns_of(timeline, times);
     write_list(out.initSegmentTimes(size_of(columns.times)), columns.times);
     write_list(out.initSegmentForms(size_of(columns.forms)), columns.forms);
     write_list(out.initNumbers(size_of(columns.numbers)), columns.numbers);
@@ -196,7 +181,7 @@ struct Segments {
 };
 
 Segments open_segments(wire::ShotRecord::Reader in) {
-    constexpr std::size_t kMaxNumbersOfASegment = 15;
+    constexpr std::size_t kMaxNumbersOfASegment = 15;  // In free motion, with height and twist.
     Segments segments{.times = at_most(in.getSegmentTimes(), kMaxSegmentsInRecord, "segments"),
                       .forms = at_most(in.getSegmentForms(), kMaxSegmentsInRecord, "segments"),
                       .all_numbers = {},
@@ -213,24 +198,23 @@ Segments open_segments(wire::ShotRecord::Reader in) {
     return segments;
 }
 
-Segment next_segment(Segments& from, const SegmentContext& context,
-                     const std::vector<double>& times) {
+Segment next_segment(Segments& from, double radius_m, const std::vector<double>& times) {
     require(from.next < from.times.size(), "segments");
-    std::optional<Segment> segment = unpack(from.forms[from.next], context, from.numbers);
+    std::optional<Segment> segment = unpack(from.forms[from.next], radius_m, from.numbers);
     require(segment.has_value(), "segments");
     segment->start_s = time_at(from.times[from.next], times);
     ++from.next;
     return *segment;
 }
 
-timeline::BallTrack read_track(wire::Track::Reader in, double twist_rate_radps2, Segments& from,
+timeline::BallTrack read_track(wire::Track::Reader in, Segments& from,
                                const std::vector<double>& times) {
     const double radius_m = in.getRadiusM();
     require(radius_m >= kMinBallRadius_m && radius_m <= kMaxBallRadius_m, "radius_m");
     require(in.getSegments() > 0, "segments");
     timeline::BallTrack track{.ball = ball_id(in.getBall()), .radius_m = radius_m, .segments = {}};
     for (unsigned int i = 0; i < in.getSegments(); ++i) {
-        const Segment segment = next_segment(from, {radius_m, twist_rate_radps2}, times);
+        const Segment segment = next_segment(from, radius_m, times);
         const double previous_s = i == 0 ? 0.0 : track.segments.back().start_s;
         require(i == 0 ? segment.start_s == 0 : segment.start_s >= previous_s, "start_s");
         track.segments.push_back(segment);
@@ -239,12 +223,10 @@ timeline::BallTrack read_track(wire::Track::Reader in, double twist_rate_radps2,
 }
 
 timeline::Timeline read_timeline(wire::ShotRecord::Reader in, const std::vector<double>& times) {
-    const double twist_rate_radps2 = in.getTwistRateRadps2();
-    require(twist_rate_radps2 >= 0 && twist_rate_radps2 <= kMaxMagnitude, "twist_rate");
     Segments segments = open_segments(in);
     timeline::Timeline timeline;
     for (const auto wire_track : at_most(in.getTracks(), model::kMaxBalls, "tracks")) {
-        timeline::BallTrack track = read_track(wire_track, twist_rate_radps2, segments, times);
+        timeline::BallTrack track = read_track(wire_track, segments, times);
         require(timeline.tracks.empty() || timeline.tracks.back().ball < track.ball, "tracks");
         timeline.tracks.push_back(std::move(track));
     }

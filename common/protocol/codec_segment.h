@@ -12,21 +12,13 @@
 
 namespace billiards::protocol {
 
-/// What all segments of a track, or of a record, have in common.
-struct SegmentContext {
-    double radius_m = 0.0;
-    /// The size of the rate at which spins about the vertical decay; a 32-bit number.
-    double twist_rate_radps2 = 0.0;
-};
-
 /// Appends the numbers of `segment` and gives its form: motion and what the numbers are.
 /// The start is not among them.
-std::uint8_t pack(const timeline::Segment& segment, const SegmentContext& context,
-                  std::vector<float>& numbers);
+std::uint8_t pack(const timeline::Segment& segment, double radius_m, std::vector<float>& numbers);
 
 /// Takes its numbers from the front of `numbers`. None where the form is unknown or numbers are
 /// missing; start_s stays 0.
-std::optional<timeline::Segment> unpack(std::uint8_t form, const SegmentContext& context,
+std::optional<timeline::Segment> unpack(std::uint8_t form, double radius_m,
                                         std::span<const float>& numbers);
 
 }  // namespace billiards::protocol
