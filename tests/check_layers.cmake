@@ -16,7 +16,7 @@ set(rooms
     "common/bot: common/base common/model common/timeline common/physics common/rules common/match common/bot"
     "common/protocol: common/base common/model common/timeline common/physics common/rules common/match common/protocol"
     "server: common server"
-    "server/table: common server/table server/store/committer.h server/store/match_store.h"
+    "server/table: common server/table server/store/committer.h server/store/match_store.h server/session/limits.h server/session/rate_limit.h server/session/token.h"
     "client: common client"
     "client/app: common client/app"
     "client/playback: common client/app client/playback"
@@ -25,14 +25,15 @@ set(rooms
 
 # pattern in angle brackets: the only places that may include it.
 set(libraries
-    "^asio: server/net server/ops server/server server/main client/net tools/load tools/player tools/demo"
+    "^asio: server/net server/ops server/store/threaded_committer server/game_loop server/server server/main client/net tools/load tools/player tools/demo"
     "^(SQLiteCpp|sqlite3): server/store"
     "^(capnp|kj)/: common/protocol/codec"
     "^openssl/: server/session"
     "^utf8proc: common/protocol/text"
     "^prometheus/: server/ops"
-    "^(spdlog|fmt): server client tools"
-    "^nlohmann/: client tools"
+    "^spdlog: server"
+    "^fmt: common/match common/protocol server client tools"
+    "^nlohmann/: server/ops client tools"
     "^CLI/: server/config tools"
     "^(SDL|epoxy|imgui|backends/): client/render client/ui client/audio client/main"
     "^(thread|mutex|condition_variable): server/net server/store server/server server/main client/net tools")

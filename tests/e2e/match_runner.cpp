@@ -1,0 +1,124 @@
+// Takes ports and seeds; runs billiards-server and billiards-demo, and reads their lines of JSON.
+#include "tests/e2e/match_runner.h"
+
+#include <csignal>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace billiards::e2e {
+
+namespace {
+
+using nlohmann::json;
+using support::Process;
+
+std::string address(std::uint16_t port) {
+    return "127.0.0.1:" + std::to_string(port);
+}
+
+/// The process's next line of this kind of event.
+json await_event(Process& process, const std::string& event) {
+    const auto line = process.read_line_with("\"event\":\"" + event + "\"");
+    if (!line) throw std::runtime_error("no '" + event + "' came");
+    return json::parse(*line);
+}
+
+std::vector<std::string> player_command(std::uint16_t port, const std::string& name, int seed) {
+    return {BILLIARDS_DEMO_PROGRAM, "play",   "--json", "--server",
+            address(port),          "--name", name,     "--seed",
+            std::to_string(seed)};
+}
+
+}  // namespace
+
+void Host::start() {
+    server_ = std::make_unique<Process>(std::vector<std::string>{
+        BILLIARDS_SERVER_PROGRAM, "--listen", address(port_), "--data", data().string()});
+    const auto line = server_->read_line_with("listening on 127.0.0.1:");
+    if (!line) throw std::runtime_error("the server did not start");
+    port_ = static_cast<std::uint16_t>(std::stoi(line->substr(line->rfind(':') + 1)));
+}
+
+int Host::stop() {
+    server_->signal(SIGTERM);
+    return server_->exit_code();
+}
+
+Match::Match(std::uint16_t port, int race_to, int seed) {
+    auto first = player_command(port, "Ada", 2 * seed);
+    first.insert(first.end(), {"--race", std::to_string(race_to), "--shot-clock", "0"});
+    clients_.emplace_back(first);
+    const std::string table =
+        std::to_string(await_event(clients_[0], "seated")["table"].get<int>());
+
+    clients_.emplace_back(std::vector<std::string>{BILLIARDS_DEMO_PROGRAM, "watch", "--json",
+                                                   "--server", address(port), "--name", "Grace",
+                                                   "--table", table});
+    await_event(clients_[1], "seated");
+
+    auto second = player_command(port, "Bob", 2 * seed + 1);
+    second.insert(second.end(), {"--table", table});
+    clients_.emplace_back(second);
+}
+
+void Match::note(Account& account, const std::string& line) {
+    const json event = json::parse(line, nullptr, false);
+    if (event.is_discarded()) return;
+    const std::string kind = event.value("event", "");
+    if (kind == "shot") account.shots[event["shot"]] = event["digest"];
+    if (kind == "link-lost") ++account.links_lost;
+    if (kind == "over") {
+        account.result = event["winner"].get<std::string>() + " " +
+                         std::to_string(event["winner_racks"].get<int>()) + "-" +
+                         std::to_string(event["loser_racks"].get<int>()) + ", " +
+                         std::to_string(event["shots"].get<int>()) + " shots";
+    }
+    if (kind == "result") {
+        account.digest = event["digest"];
+        account.missed = event["missed"];
+        account.failure = event.value("failure", "");
+    }
+}
+
+bool Match::watch_shots(int count) {
+    while (count > 0) {
+        const auto line = clients_[1].read_line();
+        if (!line) return false;
+        note(watched_, *line);
+        if (line->find("\"event\":\"shot\"") != std::string::npos) --count;
+        if (line->find("\"event\":\"over\"") != std::string::npos) return false;
+    }
+    return true;
+}
+
+std::vector<Account> Match::finish() {
+    std::vector<Account> accounts{{}, watched_, {}};
+    for (std::size_t i = 0; i < clients_.size(); ++i) {
+        for (const std::string& line : clients_[i].read_lines()) note(accounts[i], line);
+        EXPECT_EQ(clients_[i].exit_code(), 0) << "client " << i << ": " << accounts[i].failure;
+    }
+    return accounts;
+}
+
+void expect_one_match(const std::vector<Account>& accounts) {
+    std::map<int, std::string> shots;
+    for (const Account& account : accounts) {
+        EXPECT_EQ(account.failure, "");
+        EXPECT_EQ(account.result, accounts.front().result);
+        for (const auto& [number, digest] : account.shots) {
+            EXPECT_EQ(shots.try_emplace(number, digest).first->second, digest) << "shot " << number;
+        }
+        if (account.missed == 0) {
+            EXPECT_EQ(account.shots.size(), accounts.front().shots.size());
+        }
+    }
+    ASSERT_FALSE(shots.empty());
+    EXPECT_EQ(shots.begin()->first, 1);
+    EXPECT_EQ(shots.rbegin()->first, static_cast<int>(shots.size()));
+    EXPECT_NE(accounts.front().result.find(std::to_string(shots.size()) + " shots"),
+              std::string::npos)
+        << accounts.front().result;
+}
+
+}  // namespace billiards::e2e

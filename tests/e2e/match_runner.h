@@ -1,0 +1,71 @@
+// Gives end-to-end tests whole matches: a server, players and spectators, each a process of its
+// own, and what each of them saw.
+#pragma once
+
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace billiards::e2e {
+
+/// A billiards-server on 127.0.0.1, on a port that it keeps over restarts, with a folder of its
+/// own.
+class Host {
+  public:
+    Host() { start(); }
+
+    void start();
+    /// As a power cut would; what was not durable is gone.
+    void kill_minus_nine() { server_->kill_minus_nine(); }
+    /// Asks it to stop; gives its exit code.
+    int stop();
+
+    std::uint16_t port() const { return port_; }
+    std::filesystem::path data() const { return folder_.path() / "data"; }
+
+  private:
+    support::TemporaryFolder folder_;
+    std::unique_ptr<support::Process> server_;
+    std::uint16_t port_ = 0;
+};
+
+/// What one client told of a match.
+struct Account {
+    std::map<int, std::string> shots;  ///< Digest of each shot it saw, by the shot's number.
+    std::string result;                ///< "Ada 2-1, 34 shots"
+    std::string digest;                ///< Over everything; of use where nothing was missed.
+    int missed = 0;
+    int links_lost = 0;
+    std::string failure;
+};
+
+/// Two players and a spectator at a table of their own.
+class Match {
+  public:
+    Match(std::uint16_t port, int race_to, int seed);
+
+    /// Waits until the spectator has seen this many shots more; false where the match ended first.
+    bool watch_shots(int count);
+    /// Lets everyone play on to the end; one account for each of the three.
+    std::vector<Account> finish();
+
+  private:
+    void note(Account& account, const std::string& line);
+
+    std::vector<support::Process> clients_;  ///< First player, spectator, second player.
+    Account watched_;
+};
+
+/// Fails the running test unless all three saw one and the same match: every shot that two of them
+/// saw is the same to the bit, no shot is missing from the spectator's and the players' accounts
+/// taken together, and the scores agree.
+void expect_one_match(const std::vector<Account>& accounts);
+
+}  // namespace billiards::e2e
