@@ -24,6 +24,7 @@ constexpr double kStraightIn_m[] = {0.15, 0.3, 0.6};
 /// The way into a pocket.
 struct Mouth {
     Vec2 middle_m;
+    Vec2 drop_m;   ///< The middle of the pocket.
     Vec2 inwards;  ///< Unit vector into the pocket.
     double half_width_m;
 };
@@ -35,7 +36,13 @@ Mouth mouth_of(const TableSpec& table, const model::PocketCircle& pocket) {
     const Vec2 inwards = glm::normalize(pocket.center_m - corner_m);
     const bool is_corner = corner_m.x != pocket.center_m.x;
     const Vec2 middle_m = is_corner ? corner_m - pocket.radius_m * inwards : corner_m;
-    return {middle_m, inwards, pocket.radius_m};
+    return {middle_m, pocket.center_m, inwards, pocket.radius_m};
+}
+
+/// Where a ball from there is sent: a ball that hangs in the mouth already, straight on.
+Vec2 target_m(const Mouth& mouth, Vec2 from_m) {
+    const bool hangs = glm::dot(mouth.middle_m - from_m, mouth.inwards) < kRadius_m;
+    return hangs ? mouth.drop_m : mouth.middle_m;
 }
 
 double distance_to_segment(Vec2 point, Vec2 from, Vec2 to) {
@@ -60,12 +67,13 @@ std::vector<Line> open_lines(const TableSpec& table, const Layout& layout, const
     std::vector<Line> lines;
     for (std::uint8_t number = 0; number < table.pockets.size(); ++number) {
         const Mouth mouth = mouth_of(table, table.pockets[number]);
-        const Vec2 path_m = mouth.middle_m - ball.position_m;
+        const Vec2 end_m = target_m(mouth, ball.position_m);
+        const Vec2 path_m = end_m - ball.position_m;
         const double length_m = std::max(glm::length(path_m), kRadius_m);
         const Vec2 towards = path_m / length_m;
         const double seen_m = mouth.half_width_m * glm::dot(towards, mouth.inwards);
         if (seen_m <= kRadius_m) continue;
-        if (!is_path_clear(layout, ball.position_m, mouth.middle_m, ball.ball)) continue;
+        if (!is_path_clear(layout, ball.position_m, end_m, ball.ball)) continue;
         Pot pot;
         pot.ball = ball.ball;
         pot.pocket = {number};

@@ -18,7 +18,7 @@ struct Pot {
     model::BallId ball;
     model::PocketId pocket;
     base::Vec2 ball_m{};
-    base::Vec2 towards{};  ///< Unit vector from the object ball to the middle of the mouth.
+    base::Vec2 towards{};  ///< Unit vector from the object ball into the pocket.
     double ball_path_m = 0.0;
     double cue_path_m = 0.0;
     double cut_cosine = 1.0;  ///< Of the angle between the two paths: 1 is a full hit.

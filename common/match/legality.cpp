@@ -26,6 +26,22 @@ std::string describe(const model::Call& call) {
     return std::holds_alternative<model::Safety>(call) ? "a safety" : "no call";
 }
 
+/// What a shot's number must be and was, by the field that the engine named.
+std::string explain(const std::string& field, const model::Shot& shot) {
+    if (field == "power") return fmt::format("power must be in (0, 1], was {:g}", shot.power);
+    if (field == "angle_rad") {
+        return fmt::format("angle_rad must be a finite angle, was {:g}", shot.angle_rad);
+    }
+    if (field == "elevation_rad") {
+        return fmt::format("elevation_rad must be in [0, pi/2), was {:g}", shot.elevation_rad);
+    }
+    if (field.starts_with("tip")) {
+        return fmt::format("tip offset must be within 0.5 of the centre, was ({:g}, {:g})",
+                           shot.tip_left, shot.tip_up);
+    }
+    return field;
+}
+
 /// One command of one seat; the match is not over.
 class Legality {
   public:
@@ -47,7 +63,9 @@ class Legality {
             return refused(RefusalCode::CueBallNotPlaced, "the cue ball is in hand");
         }
         const auto valid = physics::validate(command.shot);
-        if (!valid) return refused(RefusalCode::BadShot, valid.error().detail);
+        if (!valid) {
+            return refused(RefusalCode::BadShot, explain(valid.error().detail, command.shot));
+        }
         return is_callable(command.call);
     }
 

@@ -1,0 +1,174 @@
+// Takes matches; gives whether the bot's commands are legal, sensible, the same every time, and
+// bring a match to its end.
+#include "common/bot/choose.h"
+
+#include "tests/common/match/layouts.h"
+#include "tests/common/match/match_moves.h"
+
+#include <gtest/gtest.h>
+
+namespace billiards::bot {
+namespace {
+
+using base::Vec2;
+using match::id;
+using match::MatchState;
+using model::Seat;
+using rules::Choice;
+using rules::Zone;
+
+constexpr int kMaxShotsPerRack = 120;
+
+/// A match after the break where only these balls are up, First to act with the solids.
+MatchState with_only(const std::vector<std::pair<int, Vec2>>& up, Zone in_hand = Zone::None) {
+    const MatchState start = match::placed(match::started(match::race_to(2)));
+    model::Layout layout = start.layout;
+    for (model::PlacedBall& placed : layout.balls) placed.place = model::Place::Pocketed;
+    for (const auto& [ball, position_m] : up) {
+        *layout.find(id(ball)) = {id(ball), model::Place::OnTable, position_m};
+    }
+    rules::Verdict verdict = match::passes_to(Seat::First, in_hand);
+    verdict.groups = {{rules::Group::Solids, rules::Group::Stripes}};
+    auto next = match::refold(start, start.to_act, match::shot_at(start, 0, 0.5), layout, verdict);
+    EXPECT_TRUE(next) << (next ? "" : next.error().detail);
+    return std::move(next).value();
+}
+
+match::Command chosen(const MatchState& state) {
+    base::Random random(1);
+    return choose(state, random);
+}
+
+/// The ruling on the shot that the bot takes, after its placement where it has one.
+rules::Verdict verdict_of_choice(MatchState state) {
+    match::Step step = match::applied(state, chosen(state));
+    if (!step.outcome.verdict) step = match::applied(step.next, chosen(step.next));
+    EXPECT_TRUE(step.outcome.verdict.has_value());
+    return step.outcome.verdict.value_or(rules::Verdict{});
+}
+
+TEST(Bot, PlacesTheCueBallBeforeTheBreakAndThenBreaksLegally) {
+    const MatchState match = match::started();
+    ASSERT_TRUE(std::holds_alternative<match::PlaceCueBall>(chosen(match)));
+    const MatchState ready = match::applied(match, chosen(match)).next;
+    const match::Step step = match::applied(ready, chosen(ready));
+    ASSERT_TRUE(step.outcome.verdict);
+    EXPECT_NE(step.outcome.verdict->reason, rules::Reason::IllegalBreak);
+}
+
+TEST(Bot, PotsAHangingBallAndCallsIt) {
+    const MatchState match =
+        with_only({{0, {0.6, 0.0}}, {3, {1.1, -0.5}}, {8, {-1.0, 0.4}}, {12, {-1.0, -0.4}}});
+    const auto shot = std::get<match::TakeShot>(chosen(match));
+    EXPECT_EQ(shot.call, (model::Call{model::CalledBall{id(3), {2}}}));
+    EXPECT_EQ(verdict_of_choice(match).reason, rules::Reason::LegalPot);
+}
+
+TEST(Bot, PotsALongCutInSpiteOfThrow) {
+    const MatchState match =
+        with_only({{0, {-0.6, 0.3}}, {3, {0.5, -0.2}}, {8, {-1.0, 0.4}}, {12, {-1.0, -0.4}}});
+    EXPECT_EQ(verdict_of_choice(match).reason, rules::Reason::LegalPot);
+}
+
+TEST(Bot, WinsWithTheEightWhenItsGroupIsDown) {
+    const MatchState match = with_only({{0, {0.6, 0.0}}, {8, {1.1, -0.5}}, {12, {-1.0, -0.4}}});
+    const rules::Verdict verdict = verdict_of_choice(match);
+    EXPECT_EQ(verdict.reason, rules::Reason::EightWon);
+    EXPECT_EQ(verdict.winner, Seat::First);
+}
+
+TEST(Bot, PlaysALegalSafetyWhereItSeesNoPot) {
+    // The 3 is frozen between the 12 and the 13 across every way to a pocket.
+    const MatchState match = with_only({{0, {-0.5, 0.0}},
+                                        {3, {0.3, 0.0}},
+                                        {12, {0.3, 0.058}},
+                                        {13, {0.3, -0.058}},
+                                        {14, {0.36, 0.02}},
+                                        {15, {0.36, -0.04}},
+                                        {8, {-1.1, 0.5}}});
+    const rules::Verdict verdict = verdict_of_choice(match);
+    EXPECT_TRUE(verdict.fouls.empty());
+}
+
+TEST(Bot, SetsTheCueBallDownWhereItHelps) {
+    for (const Zone zone : {Zone::Anywhere, Zone::BehindHeadString}) {
+        const MatchState match =
+            with_only({{3, {0.2, -0.3}}, {8, {1.0, 0.5}}, {12, {1.0, 0.0}}}, zone);
+        ASSERT_TRUE(std::holds_alternative<match::PlaceCueBall>(chosen(match)));
+        EXPECT_EQ(verdict_of_choice(match).reason, rules::Reason::LegalPot);
+    }
+}
+
+struct ChoiceCase {
+    const char* what;
+    std::vector<Choice> offered;
+    Choice taken;
+};
+
+TEST(Bot, TakesASensibleChoice) {
+    const ChoiceCase cases[] = {
+        {"illegal break",
+         {Choice::Accept, Choice::RebreakSelf, Choice::RebreakOpponent},
+         Choice::RebreakSelf},
+        {"8 on the break", {Choice::SpotEight, Choice::RebreakSelf}, Choice::SpotEight},
+        {"break foul, nothing to pot",
+         {Choice::Accept, Choice::BallInHandBehindHeadString},
+         Choice::BallInHandBehindHeadString},
+        {"nothing it prefers", {Choice::RebreakOpponent}, Choice::RebreakOpponent},
+    };
+    const MatchState match = match::started();
+    for (const ChoiceCase& each : cases) {
+        const auto verdict = match::offers(opponent_of(match.to_act), each.offered);
+        const MatchState choosing = match::told(match, verdict);
+        EXPECT_EQ(std::get<match::Choose>(chosen(choosing)).choice, each.taken) << each.what;
+    }
+}
+
+TEST(Bot, ChoosesTheSameForTheSameMatchAndRandomNumbers) {
+    const MatchState match = match::placed(match::started());
+    EXPECT_EQ(chosen(match), chosen(match));
+    const MatchState later =
+        with_only({{0, {0.6, 0.0}}, {3, {0.4, -0.3}}, {8, {-1.0, 0.4}}, {12, {-1.0, -0.4}}});
+    EXPECT_EQ(chosen(later), chosen(later));
+}
+
+/// Every command that the bot gives is applied; the match is over when this returns, or a failure
+/// is noted.
+MatchState played_out(const match::Settings& settings, std::uint64_t seed) {
+    base::Random random(seed);
+    MatchState state = match::started(settings, seed);
+    while (state.stage != match::Stage::Over) {
+        const int shots_allowed = kMaxShotsPerRack * state.rack_number;
+        if (state.shots_played > shots_allowed) {
+            ADD_FAILURE() << "rack " << state.rack_number << " does not end";
+            return state;
+        }
+        auto step = match::apply(state, state.to_act, choose(state, random));
+        if (!step) {
+            ADD_FAILURE() << "seed " << seed << ": " << step.error().detail;
+            return state;
+        }
+        state = std::move(step).value().next;
+    }
+    return state;
+}
+
+TEST(BotMatch, IsPlayedToItsEndWithLegalCommandsOnly) {
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        const MatchState over = played_out(match::race_to(1), seed);
+        EXPECT_EQ(over.stage, match::Stage::Over) << seed;
+        match::expect_sound(over);
+    }
+}
+
+TEST(BotMatch, IsPlayedToItsEndWithoutCallsAndWithTheOriginalPhysics) {
+    match::Settings settings = match::race_to(1);
+    settings.options.call = false;
+    EXPECT_EQ(played_out(settings, 1).stage, match::Stage::Over);
+    settings.physics = match::PhysicsPreset::Classic;
+    settings.table = model::TableSize::SevenFoot;
+    EXPECT_EQ(played_out(settings, 2).stage, match::Stage::Over);
+}
+
+}  // namespace
+}  // namespace billiards::bot
