@@ -4,7 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <map>
+#include <set>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -19,12 +20,19 @@ struct Flags {
     std::string data;
     std::string http;
     bool plain = false;
-    LogFormat log_format = LogFormat::Text;
+    std::string log_format = "text";
 };
 
+/// Without a description, which would be printed beside the type's name.
+CLI::Validator one_of(const std::set<std::string>& allowed) {
+    return {[allowed](const std::string& text) {
+                if (allowed.count(text) == 1) return std::string();
+                return fmt::format("{} is none of {}", text, fmt::join(allowed, ", "));
+            },
+            ""};
+}
+
 void describe(CLI::App& app, Flags& flags) {
-    const std::map<std::string, LogFormat> formats{{"text", LogFormat::Text},
-                                                   {"json", LogFormat::Json}};
     app.set_version_flag("--version", std::string("billiards-server ") + BILLIARDS_VERSION);
     app.add_option("--listen", flags.listen,
                    "Address and port for clients, such as 127.0.0.1:4747 or [::1]:4747; may be "
@@ -39,8 +47,8 @@ void describe(CLI::App& app, Flags& flags) {
         ->type_name("ADDRESS:PORT");
     app.add_flag("--plain", flags.plain,
                  "Accept that traffic is not encrypted on addresses that others can reach");
-    app.add_option("--log-format", flags.log_format, "One line an event: text or json")
-        ->transform(CLI::CheckedTransformer(formats, CLI::ignore_case))
+    app.add_option("--log-format", flags.log_format, "One line an event [text]")
+        ->check(one_of({"text", "json"}))
         ->type_name("text|json");
 }
 
@@ -74,7 +82,8 @@ std::optional<std::filesystem::path> default_data_folder(const Environment& envi
 
 base::Result<CommandLine, Farewell> configuration_of(const Flags& flags,
                                                      const Environment& environment) {
-    CommandLine command_line{.server = {}, .log_format = flags.log_format};
+    CommandLine command_line;
+    command_line.log_format = flags.log_format == "json" ? LogFormat::Json : LogFormat::Text;
     for (const std::string& text : flags.listen) {
         auto endpoint = listen_endpoint_of(text, flags.plain);
         if (!endpoint) return std::move(endpoint).error();

@@ -22,12 +22,12 @@ std::optional<std::string> environment_variable(const std::string& name) {
 }
 
 /// Each connection needs a descriptor, and the usual soft limit is meant for programs with few.
-void use_all_descriptors(spdlog::logger& log) {
+rlim_t use_all_descriptors() {
     rlimit limit{};
-    if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+    ::getrlimit(RLIMIT_NOFILE, &limit);
     limit.rlim_cur = limit.rlim_max;
     ::setrlimit(RLIMIT_NOFILE, &limit);
-    log.info("at most {} open files and connections", limit.rlim_cur);
+    return limit.rlim_cur;
 }
 
 /// From its making on, the program is not ended by SIGINT and SIGTERM but asked to stop.
@@ -50,8 +50,9 @@ class StopSignal {
 int run(const CommandLine& command_line, spdlog::logger& log) {
     try {
         StopSignal signal;
-        use_all_descriptors(log);
+        const rlim_t descriptors = use_all_descriptors();
         Server server(command_line.server, log);
+        log.info("at most {} open files and connections", descriptors);
         log.info("stopping on {}", signal.wait());
         server.stop();
         log.info("stopped");

@@ -110,8 +110,8 @@ struct Server::Parts {
     ThreadedCommitter committer;
     Lobby lobby;
     std::optional<HttpServer> http;
-    std::uint16_t port = 0;
-    bool stopping = false;  ///< Of the network's thread.
+    std::vector<Endpoint> addresses;  ///< With the ports that were taken.
+    bool stopping = false;            ///< Of the network's thread.
 };
 
 Server::Parts::Parts(const ServerConfig& configuration, spdlog::logger& logger)
@@ -133,17 +133,12 @@ Server::Parts::Parts(const ServerConfig& configuration, spdlog::logger& logger)
 
 void Server::Parts::listen() {
     CHECK(!config.listen.empty());
-    for (const Endpoint& endpoint : config.listen) {
-        const Endpoint taken = network.listen(endpoint);
-        if (port == 0) port = taken.port();
-        log.info("listening on {}", to_text(taken));
-    }
+    for (const Endpoint& endpoint : config.listen) addresses.push_back(network.listen(endpoint));
     if (!config.http) return;
     http.emplace(
         net.context(), *config.http,
         [this](const std::string& path, HttpRespond respond) { answer(path, std::move(respond)); },
         log);
-    log.info("status pages on {}", to_text(http->endpoint()));
 }
 
 /// Before the game's thread runs.
@@ -161,6 +156,8 @@ void Server::Parts::start() {
     loop.run([](Lobby&, base::Instant) {});  // Arms the timer for what was restored.
     net.start();
     game.start();
+    for (const Endpoint& address : addresses) log.info("listening on {}", to_text(address));
+    if (http) log.info("status pages on {}", to_text(http->endpoint()));
 }
 
 void Server::Parts::answer(const std::string& path, HttpRespond respond) {
@@ -219,7 +216,7 @@ Server::~Server() {
 }
 
 std::uint16_t Server::port() const {
-    return parts_->port;
+    return parts_->addresses.front().port();
 }
 
 std::uint16_t Server::http_port() const {

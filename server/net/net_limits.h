@@ -18,7 +18,7 @@ struct NetLimits {
     /// From the connection to the end of the first message. Idle sessions are the game's affair.
     Milliseconds greeting_timeout = protocol::kGreetingTimeout;
     Milliseconds frame_timeout = std::chrono::seconds(5);    ///< From its header to its last byte.
-    Milliseconds closing_timeout = std::chrono::seconds(5);  ///< To take what still waits.
+    Milliseconds closing_timeout = std::chrono::seconds(2);  ///< To take what still waits.
     /// How often timeouts are looked at: each may be late by this much.
     Milliseconds tick = std::chrono::seconds(1);
     Milliseconds pause_when_out_of_sockets = std::chrono::seconds(1);

@@ -16,7 +16,7 @@ namespace billiards::server {
 namespace {
 
 std::runtime_error cannot_use(const std::filesystem::path& folder, const std::string& reason) {
-    return std::runtime_error(fmt::format("data folder {}: {}", folder.string(), reason));
+    return std::runtime_error(fmt::format("data folder {} {}", folder.string(), reason));
 }
 
 std::string reason_of(int error_number) {
