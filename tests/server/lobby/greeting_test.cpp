@@ -217,7 +217,7 @@ TEST_F(GreetingTest, ClosesWhoIsSilentForTooLongAndCountsAPingAsLife) {
 
 TEST_F(GreetingTest, AnswersAPingWithBothTimes) {
     const SessionId ada = greet("Ada");
-    pass(1234us);
+    now = base::Instant{1234us};
     say(ada, client::Ping{.client_time_us = -77});
     EXPECT_EQ(last<told::Pong>(ada), (told::Pong{.client_time_us = -77, .server_time_us = 1234}));
 }

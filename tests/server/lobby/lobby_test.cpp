@@ -52,7 +52,8 @@ TEST_F(LobbyTest, SharesOneListFrameAmongThoseWhoAskTogether) {
     EXPECT_EQ(outbox.frames<told::TableList>(one), outbox.frames<told::TableList>(two));
     pass(limits.table_list_kept + 1us);
     say(two, client::ListTables{});
-    EXPECT_NE(outbox.frames<told::TableList>(one).back(), outbox.frames<told::TableList>(two).back());
+    EXPECT_NE(outbox.frames<told::TableList>(one).back(),
+              outbox.frames<told::TableList>(two).back());
 }
 
 TEST_F(LobbyTest, ListsWhatWasOpenedAMomentAgo) {

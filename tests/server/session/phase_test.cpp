@@ -44,8 +44,8 @@ const std::vector<Case>& cases() {
 TEST(Phase, LetsEachMessagePassWhereTheProtocolSaysAndNowhereElse) {
     for (const Case& one : cases()) {
         for (const Phase phase : kPhases) {
-            const bool expected = std::find(one.legal.begin(), one.legal.end(), phase) !=
-                                  one.legal.end();
+            const bool expected =
+                std::find(one.legal.begin(), one.legal.end(), phase) != one.legal.end();
             EXPECT_EQ(is_legal(phase, one.message), expected)
                 << name_of(one.message) << " in " << name_of(phase);
         }

@@ -46,9 +46,8 @@ class GameTest : public testing::Test {
     }
     /// What waits for the disk is durable afterwards, but where `disk_is_slow`.
     void say(SessionId session, protocol::ClientMessageBody body) {
-        lobby->received(now, session,
-                        {.request_id = ++last_request, .body = std::move(body)});
-        if (!disk_is_slow) committer.complete_all();
+        lobby->received(now, session, {.request_id = ++last_request, .body = std::move(body)});
+        if (!disk_is_slow) commit_all();
     }
     void disconnect(SessionId session) { lobby->disconnected(now, session); }
     /// Time passes as the game loop lets it pass: deadline by deadline.
@@ -58,9 +57,17 @@ class GameTest : public testing::Test {
              next = lobby->next_deadline()) {
             now = std::max(now, *next);
             lobby->advance_time(now);
-            if (!disk_is_slow) committer.complete_all();
+            if (!disk_is_slow) commit_all();
         }
-        now = end;
+        now = std::max(now, end);
+    }
+
+    /// Each commit takes its time.
+    void commit_all() {
+        while (committer.waiting() > 0) {
+            now += committer.takes;
+            committer.complete();
+        }
     }
 
     template <class Message>
@@ -195,7 +202,14 @@ class MatchTest : public GameTest {
         say(shooter(), shot(shot_id));
     }
     /// The balls come to rest.
-    void let_rest() { pass(base::duration_of(last<told::ShotPlayed>(linus).record.duration_s) + 1ms); }
+    void let_rest() {
+        keep_alive();
+        pass(base::Instant{base::Duration{last<told::ShotPlayed>(linus).turn.opens_us}} - now);
+    }
+
+    void keep_alive() {
+        for (const SessionId session : {ada, grace, linus}) say(session, client::Ping{});
+    }
 
     SessionId ada;
     SessionId grace;

@@ -142,8 +142,8 @@ TEST_F(PlayTest, RefusesShotsWhoseNumbersMakeNoSense) {
     start_match();
     place_cue_ball();
     std::uint64_t shot_id = 0;
-    for (const double power : {0.0, -0.5, 1.5, std::nan(""), 1e300,
-                               std::numeric_limits<double>::infinity()}) {
+    for (const double power :
+         {0.0, -0.5, 1.5, std::nan(""), 1e300, std::numeric_limits<double>::infinity()}) {
         auto bad = shot(++shot_id);
         bad.shot.power = power;
         say(shooter(), bad);
@@ -305,7 +305,8 @@ TEST_F(PlayTest, PlaysManyTurnsAndEveryoneSeesTheSame) {
     match::Settings settings;
     settings.race_to = 1;
     start_match(settings);
-    for (std::uint64_t shot_id = 1; shot_id <= 12 && count<told::MatchOver>(linus) == 0; ++shot_id) {
+    for (std::uint64_t shot_id = 1; shot_id <= 12 && count<told::MatchOver>(linus) == 0;
+         ++shot_id) {
         take_turn(shot_id);
         ASSERT_EQ(count<told::ShotPlayed>(linus), shot_id);
         let_rest();

@@ -73,10 +73,9 @@ TEST(Seating, DoesNotCountAnAbsentPlayerAsReady) {
     seating.sit(Seat::First, kAda);
     seating.set_ready(kAda.session);
     seating.lose(kAda.session);
-    EXPECT_EQ(seating.views()[Seat::First], (protocol::server::SeatView{.taken = true,
-                                                                        .connected = false,
-                                                                        .ready = false,
-                                                                        .name = kAda.name}));
+    EXPECT_EQ(seating.views()[Seat::First],
+              (protocol::server::SeatView{
+                  .taken = true, .connected = false, .ready = false, .name = kAda.name}));
 }
 
 TEST(Seating, ForgetsASpectatorWhoseConnectionIsLost) {
