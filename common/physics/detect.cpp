@@ -16,16 +16,29 @@ using base::Vec3;
 /// Touching bodies that part slower than this come back before rounding can tell that they opened.
 constexpr double kSlowParting_mps = 1e-6;
 
-/// The rules of contact, over a family of polynomials: descent_to(gap) is the first time at which
-/// the gap falls through that value, having been above it.
-template <class DescentTo>
-double next_contact_s(double gap_m, double rate_mps, DescentTo descent_to) {
+/// Touching bodies that come this far apart have opened: twice what touching means, so that
+/// rounding cannot take one for the other.
+constexpr double kOpened_m = 2e-12;
+
+/// The rules of contact, over descent_to(gap), the first time at which the gap falls through a
+/// value having been above it, and meeting_after(time), the same question asked later.
+template <class DescentTo, class MeetingAfter>
+double next_contact_s(double gap_m, double rate_mps, DescentTo descent_to,
+                      MeetingAfter meeting_after) {
     if (gap_m > kTouching_m) return descent_to(0.0);
     if (rate_mps < -kClosing_mps) return 0.0;
     const bool has_sunk = gap_m < -1.5 * kRestingDepth_m ||
                           (gap_m < -0.9 * kRestingDepth_m && rate_mps < kSlowParting_mps);
-    const double depth = has_sunk ? gap_m - kRestingDepth_m : -kRestingDepth_m;
-    return std::min(descent_to(kTouching_m), descent_to(depth));
+    const double sinking = descent_to(has_sunk ? gap_m - kRestingDepth_m : -kRestingDepth_m);
+    const double closing_again = descent_to(kOpened_m);
+    return closing_again < sinking ? meeting_after(closing_again) : sinking;
+}
+
+Course course_after(const Course& course, double time_s) {
+    return {.position_m = course.position_m +
+                          (course.velocity_mps + course.acceleration_mps2 * (time_s / 2)) * time_s,
+            .velocity_mps = course.velocity_mps + course.acceleration_mps2 * time_s,
+            .acceleration_mps2 = course.acceleration_mps2};
 }
 
 /// |d + v t + a t^2 / 2|^2 - distance^2.
@@ -43,11 +56,9 @@ bool is_still(const Course& course) {
 
 /// One Newton step on the gap itself, whose rounding is smaller than that of its square.
 double polished(const Course& course, double distance_m, double time_s) {
-    const Vec3 d = course.position_m +
-                   (course.velocity_mps + course.acceleration_mps2 * (time_s / 2)) * time_s;
-    const Vec3 v = course.velocity_mps + course.acceleration_mps2 * time_s;
-    const double distance = std::sqrt(glm::dot(d, d));
-    const double rate = glm::dot(d, v) / distance;
+    const Course then = course_after(course, time_s);
+    const double distance = std::sqrt(glm::dot(then.position_m, then.position_m));
+    const double rate = glm::dot(then.position_m, then.velocity_mps) / distance;
     const double step = (distance - distance_m) / rate;
     return std::abs(step) < 1e-9 ? std::max(0.0, time_s - step) : time_s;
 }
@@ -59,11 +70,14 @@ double meeting_s(const Course& difference, double distance_m, double horizon_s) 
     const double distance = std::sqrt(glm::dot(difference.position_m, difference.position_m));
     const double rate = glm::dot(difference.position_m, difference.velocity_mps) / distance;
     const Polynomial gap_squared = squared_distance(difference, distance_m);
-    return next_contact_s(distance - distance_m, rate, [&](double gap) {
+    const auto descent_to = [&](double gap) {
         Polynomial p = gap_squared;
         p.c[0] -= gap * (2.0 * distance_m + gap);
         const double time = first_descent(p, horizon_s);
         return time < kNever_s ? polished(difference, distance_m + gap, time) : kNever_s;
+    };
+    return next_contact_s(distance - distance_m, rate, descent_to, [&](double time) {
+        return time + meeting_s(course_after(difference, time), distance_m, horizon_s - time);
     });
 }
 
@@ -75,9 +89,11 @@ double meeting_s(const Course& course, const Line& line, double distance_m, doub
     if (rate == 0.0 && acceleration == 0.0) return kNever_s;
     const bool is_behind = gap < -distance_m;
     if (is_behind) return falling_s(gap, rate, acceleration, horizon_s);
-    return next_contact_s(gap, rate, [&](double target) {
+    const auto descent_to = [&](double target) {
         return falling_s(gap - target, rate, acceleration, horizon_s);
-    });
+    };
+    // A parabola that opened and closes again does so once.
+    return next_contact_s(gap, rate, descent_to, [&](double) { return descent_to(0.0); });
 }
 
 double entering_s(const Course& difference, double radius_m, double horizon_s) {

@@ -33,12 +33,10 @@ void stop(BallState& state) {
 }
 
 /// Without spin there is no slip: rolling is drawn, gliding is meant.
-BallState settled_without_spin(const Parameters& parameters, double radius_m, BallState state) {
+BallState settled_without_spin(double radius_m, BallState state) {
     state.spin_radps = quarter_turn(state.velocity_mps) / radius_m;
     state.motion = Motion::Rolling;
-    if (speed_of(state.velocity_mps) <= std::max(parameters.stop_speed_mps, kStill_mps)) {
-        stop(state);
-    }
+    if (speed_of(state.velocity_mps) <= kStill_mps) stop(state);
     return state;
 }
 
@@ -66,6 +64,10 @@ double slide(const Parameters& parameters, double radius_m, timeline::Segment& s
     return quotient_or_never(2.0 * slip_speed, 7.0 * deceleration);
 }
 
+/// A collision that leaves a ball slower than the stop speed still lets it go for this long: were
+/// it to stand at once, a ball that wedges itself between two others could not push them apart.
+constexpr double kLastGlide_s = 1e-3;
+
 /// Rolling: a = -mu g v/|v|, w = (z x v) / R, until t = (|v| - stop speed) / (mu g).
 double roll(const Parameters& parameters, double radius_m, timeline::Segment& segment,
             const BallState& state) {
@@ -73,6 +75,9 @@ double roll(const Parameters& parameters, double radius_m, timeline::Segment& se
     const double deceleration = parameters.rolling_friction * parameters.gravity_mps2;
     segment.acceleration_mps2 = (-deceleration / speed) * state.velocity_mps;
     segment.spin_rate_radps2 = quarter_turn(segment.acceleration_mps2) / radius_m;
+    if (speed <= parameters.stop_speed_mps) {
+        return std::min(kLastGlide_s, quotient_or_never(speed, deceleration));
+    }
     return quotient_or_never(speed - parameters.stop_speed_mps, deceleration);
 }
 
@@ -94,7 +99,7 @@ BallState settled(const Parameters& parameters, double radius_m, BallState state
         return state;
     }
     state.velocity_mps.z = 0.0;
-    if (parameters.rolls_at_once) return settled_without_spin(parameters, radius_m, state);
+    if (parameters.rolls_at_once) return settled_without_spin(radius_m, state);
     state.motion = Motion::Sliding;
     if (speed_of(slip_mps(state, radius_m)) <= kStill_mps) {
         end_slip(state, radius_m);

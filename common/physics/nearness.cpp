@@ -36,9 +36,14 @@ Nearness post_nearness(const TableShape& shape, const Post& post, const Vec3& po
                        double radius_m) {
     const Vec2 offset = post.center_m - base::horizontal(position_m);
     const double distance = length_of(offset);
-    return {.gap_m = distance - radius_m - post.radius_m,
-            .into = offset / distance,
-            .lean_sine = lean_sine(shape, radius_m, position_m.z)};
+    Nearness near{.gap_m = distance - radius_m - post.radius_m,
+                  .into = offset / distance,
+                  .lean_sine = lean_sine(shape, radius_m, position_m.z)};
+    if (position_m.z > radius_m) {
+        if (near.lean_sine <= -1.0) near.gap_m = kNever_s;
+        near.lean_sine = 0.0;
+    }
+    return near;
 }
 
 }  // namespace
@@ -58,7 +63,7 @@ void add_touching(const TableShape& shape, const Vec3& position_m, double radius
     here.include(base::horizontal(position_m));
     const auto add_if_touching = [&](FixedIndex fixed) {
         const Nearness near = nearness(shape, fixed, position_m, radius_m);
-        if (near.gap_m <= kTouching_m && near.lean_sine > -1.0) touching.push_back(fixed);
+        if (near.gap_m <= kTouching_m) touching.push_back(fixed);
     };
     for (std::size_t i = 0; i < shape.walls.size(); ++i) {
         const Wall& wall = shape.walls[i];

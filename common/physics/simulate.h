@@ -53,7 +53,8 @@ struct BallStart {
 
 /// What only proofs ask for, measured over all events of a shot.
 struct Diagnostics {
-    /// The largest rise of the total energy from after one event to after the next.
+    /// The largest rise of the total energy from after the events of one instant to after those of
+    /// the next.
     double max_energy_rise_j = 0.0;
     /// The smallest gap between two balls at any event; none with one ball. Balls that overlap at
     /// the start count once they have opened.

@@ -122,7 +122,7 @@ Fault fixed_fault(const TableShape& shape, const BallStart& ball) {
         const bool is_wall = !is_post(shape, fixed);
         if (is_wall && !faces(shape.walls[i], base::horizontal(ball.position_m))) continue;
         const Nearness near = nearness(shape, fixed, ball.position_m, radius);
-        if (near.gap_m >= -kMostOverlap_m || near.lean_sine <= -1.0) continue;
+        if (near.gap_m >= -kMostOverlap_m) continue;
         const std::size_t index = is_wall ? i : i - shape.walls.size();
         return Error{ErrorCode::Overlap, name_of(ball.ball) + (is_wall ? ", cushion " : ", jaw ") +
                                              std::to_string(index)};

@@ -17,7 +17,10 @@ double gap_m(const Mover& a, const Mover& b, double now_s) {
 }  // namespace
 
 Watch::Watch(const Parameters& parameters, std::span<const Mover> movers, Diagnostics& diagnostics)
-    : parameters_(parameters), diagnostics_(diagnostics), energy_j_(total_energy_j(movers, 0.0)) {
+    : parameters_(parameters),
+      diagnostics_(diagnostics),
+      energy_j_(total_energy_j(movers, 0.0)),
+      before_j_(energy_j_) {
     diagnostics_ = {};
     for (std::size_t i = 0; i < movers.size(); ++i) {
         for (std::size_t j = i + 1; j < movers.size(); ++j) {
@@ -28,9 +31,13 @@ Watch::Watch(const Parameters& parameters, std::span<const Mover> movers, Diagno
 }
 
 void Watch::look(std::span<const Mover> movers, double now_s) {
-    const double energy = total_energy_j(movers, now_s);
-    diagnostics_.max_energy_rise_j = std::max(diagnostics_.max_energy_rise_j, energy - energy_j_);
-    energy_j_ = energy;
+    if (now_s > now_s_) {
+        before_j_ = energy_j_;
+        now_s_ = now_s;
+    }
+    energy_j_ = total_energy_j(movers, now_s);
+    diagnostics_.max_energy_rise_j =
+        std::max(diagnostics_.max_energy_rise_j, energy_j_ - before_j_);
     look_at_gaps(movers, now_s);
 }
 

@@ -23,7 +23,9 @@ class Watch {
 
     const Parameters& parameters_;
     Diagnostics& diagnostics_;
-    double energy_j_ = 0.0;
+    double now_s_ = 0.0;
+    double energy_j_;  ///< After the latest event.
+    double before_j_;  ///< After the last event of the latest earlier instant.
     /// Pairs that overlapped at the start and have not opened yet.
     std::array<std::array<bool, model::kMaxBalls>, model::kMaxBalls> is_exempt_{};
 };
