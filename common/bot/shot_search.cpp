@@ -7,6 +7,7 @@
 #include "common/bot/evaluate.h"
 #include "common/match/match.h"
 #include "common/model/table_spec.h"
+#include "common/rules/facts.h"
 #include "common/rules/ruleset.h"
 
 #include <algorithm>
@@ -139,9 +140,18 @@ void try_pots(Search& search, const MatchState& state, Vec2 cue_ball_m,
     }
 }
 
+/// As a safety; and where a ball fell, once more with that ball called.
+void try_contact(Search& search, const MatchState& state, const model::Shot& shot) {
+    const Trial* trial = search.attempt(shot, call_for(state, model::Safety{}));
+    if (trial == nullptr) return;
+    const rules::Facts facts = rules::facts_of(trial->step.outcome.record->events);
+    for (const auto& [ball, pocket] : facts.pocketed) {
+        search.attempt(shot, call_for(state, model::CalledBall{ball, pocket}));
+    }
+}
+
 void try_safeties(Search& search, const MatchState& state, Vec2 cue_ball_m,
                   model::BallSet targets) {
-    const model::Call call = call_for(state, model::Safety{});
     for (const model::PlacedBall& placed : state.layout.balls) {
         if (!state.layout.on_table(placed.ball) || !targets.contains(placed.ball)) continue;
         const Vec2 path_m = placed.position_m - cue_ball_m;
@@ -150,7 +160,8 @@ void try_safeties(Search& search, const MatchState& state, Vec2 cue_ball_m,
             const Vec2 aim_m = placed.position_m + fullness * kRadius_m * aside;
             if (!is_path_clear(state.layout, cue_ball_m, aim_m, placed.ball)) continue;
             for (const double power : kSafetyPowers) {
-                search.attempt({.angle_rad = angle_of(aim_m - cue_ball_m), .power = power}, call);
+                const double angle_rad = angle_of(aim_m - cue_ball_m);
+                try_contact(search, state, {.angle_rad = angle_rad, .power = power});
             }
         }
     }
@@ -158,10 +169,9 @@ void try_safeties(Search& search, const MatchState& state, Vec2 cue_ball_m,
 
 /// By way of the cushions, if nothing legal can be seen.
 void try_all_around(Search& search, const MatchState& state) {
-    const model::Call call = call_for(state, model::Safety{});
     for (int i = 0; i < kAroundShots; ++i) {
         const double angle_rad = 2 * base::kPi * i / kAroundShots - base::kPi;
-        search.attempt({.angle_rad = angle_rad, .power = kAroundPower}, call);
+        try_contact(search, state, {.angle_rad = angle_rad, .power = kAroundPower});
     }
 }
 

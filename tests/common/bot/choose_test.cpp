@@ -64,6 +64,13 @@ TEST(Bot, PotsAHangingBallAndCallsIt) {
     EXPECT_EQ(verdict_of_choice(match).reason, rules::Reason::LegalPot);
 }
 
+TEST(Bot, DropsABallThatHangsInTheJaws) {
+    for (const Vec2 jaws_m : {Vec2{1.2426, 0.6398}, Vec2{-1.2535, 0.6019}, Vec2{-0.0269, 0.6343}}) {
+        const MatchState match = with_only({{8, jaws_m}, {12, {0.5, -0.4}}}, Zone::Anywhere);
+        EXPECT_EQ(verdict_of_choice(match).reason, rules::Reason::EightWon) << jaws_m.x;
+    }
+}
+
 TEST(Bot, PotsALongCutInSpiteOfThrow) {
     const MatchState match =
         with_only({{0, {-0.6, 0.3}}, {3, {0.5, -0.2}}, {8, {-1.0, 0.4}}, {12, {-1.0, -0.4}}});
@@ -78,7 +85,7 @@ TEST(Bot, WinsWithTheEightWhenItsGroupIsDown) {
 }
 
 TEST(Bot, PlaysALegalSafetyWhereItSeesNoPot) {
-    // The 3 is frozen between the 12 and the 13 across every way to a pocket.
+    // The 3 is hidden from every pocket by the balls around it.
     const MatchState match = with_only({{0, {-0.5, 0.0}},
                                         {3, {0.3, 0.0}},
                                         {12, {0.3, 0.058}},
@@ -86,8 +93,7 @@ TEST(Bot, PlaysALegalSafetyWhereItSeesNoPot) {
                                         {14, {0.36, 0.02}},
                                         {15, {0.36, -0.04}},
                                         {8, {-1.1, 0.5}}});
-    const rules::Verdict verdict = verdict_of_choice(match);
-    EXPECT_TRUE(verdict.fouls.empty());
+    EXPECT_EQ(verdict_of_choice(match).reason, rules::Reason::Safety);
 }
 
 TEST(Bot, SetsTheCueBallDownWhereItHelps) {
@@ -132,8 +138,26 @@ TEST(Bot, ChoosesTheSameForTheSameMatchAndRandomNumbers) {
     EXPECT_EQ(chosen(later), chosen(later));
 }
 
-/// Every command that the bot gives is applied; the match is over when this returns, or a failure
-/// is noted.
+TEST(Bot, GivesALegalCommandWhereverTheBallsLie) {
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        base::Random random(seed);
+        std::vector<std::pair<int, Vec2>> up;
+        for (const model::PlacedBall& placed : match::random_layout(seed).balls) {
+            const bool stays = placed.ball == model::kEightBall || random.below(3) == 0;
+            if (stays) up.emplace_back(placed.ball.number, placed.position_m);
+        }
+        const Zone zone = random.below(2) == 0 ? Zone::Anywhere : Zone::BehindHeadString;
+        const MatchState in_hand = with_only(up, zone);
+        auto placed = match::apply(in_hand, in_hand.to_act, choose(in_hand, random));
+        ASSERT_TRUE(placed) << seed << ": " << placed.error().detail;
+        auto shot = match::apply(placed->next, in_hand.to_act, choose(placed->next, random));
+        ASSERT_TRUE(shot) << seed << ": " << shot.error().detail;
+        EXPECT_TRUE(shot->outcome.verdict.has_value());
+    }
+}
+
+/// Every command that the bot gives is applied, and told again by its journal entry; the match is
+/// over when this returns, or a failure is noted.
 MatchState played_out(const match::Settings& settings, std::uint64_t seed) {
     base::Random random(seed);
     MatchState state = match::started(settings, seed);
@@ -143,11 +167,14 @@ MatchState played_out(const match::Settings& settings, std::uint64_t seed) {
             ADD_FAILURE() << "rack " << state.rack_number << " does not end";
             return state;
         }
-        auto step = match::apply(state, state.to_act, choose(state, random));
+        const match::Command command = choose(state, random);
+        auto step = match::apply(state, state.to_act, command);
         if (!step) {
             ADD_FAILURE() << "seed " << seed << ": " << step.error().detail;
             return state;
         }
+        EXPECT_EQ(match::folded_again(state, state.to_act, command, step->outcome), step->next);
+        match::expect_sound(step->next);
         state = std::move(step).value().next;
     }
     return state;
@@ -157,8 +184,14 @@ TEST(BotMatch, IsPlayedToItsEndWithLegalCommandsOnly) {
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         const MatchState over = played_out(match::race_to(1), seed);
         EXPECT_EQ(over.stage, match::Stage::Over) << seed;
-        match::expect_sound(over);
     }
+}
+
+TEST(BotMatch, GoesOverSeveralRacksUntilOneSeatHasWonTheRace) {
+    const MatchState over = played_out(match::race_to(3), 11);
+    ASSERT_TRUE(over.winner.has_value());
+    EXPECT_EQ(over.racks_won[*over.winner], 3);
+    EXPECT_GE(over.rack_number, 3);
 }
 
 TEST(BotMatch, IsPlayedToItsEndWithoutCallsAndWithTheOriginalPhysics) {

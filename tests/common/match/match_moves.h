@@ -78,6 +78,16 @@ inline rules::Verdict offers(model::Seat chooser, std::vector<rules::Choice> cho
     return verdict;
 }
 
+/// The same step, from its journal entry alone.
+inline MatchState folded_again(const MatchState& before, model::Seat seat, const Command& command,
+                               const Outcome& outcome) {
+    std::optional<model::Layout> layout;
+    if (outcome.record) layout = outcome.record->final_layout;
+    auto again = refold(before, seat, command, layout, outcome.verdict);
+    EXPECT_TRUE(again) << (again ? "" : again.error().detail);
+    return std::move(again).value();
+}
+
 /// What every match keeps, whatever was done in it.
 inline void expect_sound(const MatchState& match) {
     model::BallSet object_balls;

@@ -67,15 +67,6 @@ Command random_command(const MatchState& match, Random& random) {
     }
 }
 
-MatchState folded_again(const MatchState& before, Seat seat, const Command& command,
-                        const Outcome& outcome) {
-    std::optional<model::Layout> layout;
-    if (outcome.record) layout = outcome.record->final_layout;
-    auto again = refold(before, seat, command, layout, outcome.verdict);
-    EXPECT_TRUE(again) << (again ? "" : again.error().detail);
-    return std::move(again).value();
-}
-
 /// How often a match of random commands accepted and refused one.
 struct Tally {
     int accepted = 0;
