@@ -18,7 +18,7 @@ struct DemoOptions {
     std::optional<client::ServerAddress> connect;  ///< A server that runs already, instead.
     int race_to = 2;
     std::uint64_t seed = 1;
-    double think_s = 0.05;
+    double think_s = 0.25;
     double limit_s = 300.0;  ///< After which it gives up.
 };
 

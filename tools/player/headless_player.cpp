@@ -79,18 +79,44 @@ void HeadlessPlayer::tell(const protocol::ServerMessage& message) {
         if (events_.refused) events_.refused(*refused);
     } else if (const auto* welcome = std::get_if<server::Welcome>(&message)) {
         if (events_.welcome) events_.welcome(*welcome);
+    } else if (const auto* snapshot = std::get_if<server::TableSnapshot>(&message)) {
+        tell_missed(*snapshot);
     }
     if (!state_.table) return;
     const client::TableView& before = *state_.table;
     if (const auto* shot = std::get_if<server::ShotPlayed>(&message)) {
-        if (digest_.add(*shot) && events_.shot) events_.shot(before, *shot);
+        tell_shot(before, *shot);
     } else if (const auto* moved = std::get_if<server::MatchMoved>(&message)) {
         if (moved->sequence > before.sequence && events_.moved) events_.moved(before, *moved);
     } else if (const auto* over = std::get_if<server::MatchOver>(&message)) {
-        if (over->sequence <= before.sequence) return;
-        digest_.add(*over);
-        if (events_.over) events_.over(before, *over);
+        if (over->sequence > before.sequence) tell_over(before, *over);
     }
+}
+
+void HeadlessPlayer::tell_shot(const client::TableView& before, const server::ShotPlayed& shot) {
+    if (digest_.add(shot) && events_.shot) events_.shot(before, shot);
+}
+
+void HeadlessPlayer::tell_over(const client::TableView& before, const server::MatchOver& over) {
+    digest_.add(over);
+    if (events_.over) events_.over(before, over);
+}
+
+/// What happened while there was no link, as far as a snapshot tells.
+void HeadlessPlayer::tell_missed(const server::TableSnapshot& snapshot) {
+    client::TableView before;
+    if (state_.table) {
+        before = *state_.table;
+    } else {
+        before.row = snapshot.row;
+        before.match = snapshot.match;
+    }
+    if (snapshot.rolling) tell_shot(before, *snapshot.rolling);
+    if (!was_playing_ || before.over || !snapshot.match || !snapshot.match->winner) return;
+    tell_over(before, {.sequence = snapshot.sequence,
+                       .winner = *snapshot.match->winner,
+                       .racks_won = snapshot.match->racks_won,
+                       .shots = static_cast<std::uint32_t>(snapshot.match->shots_played)});
 }
 
 void HeadlessPlayer::react(const protocol::ServerMessage& message, base::Instant now) {

@@ -72,6 +72,9 @@ class HeadlessPlayer {
     };
 
     void tell(const protocol::ServerMessage& message);
+    void tell_shot(const client::TableView& before, const protocol::server::ShotPlayed& shot);
+    void tell_over(const client::TableView& before, const protocol::server::MatchOver& over);
+    void tell_missed(const protocol::server::TableSnapshot& snapshot);
     void react(const protocol::ServerMessage& message, base::Instant now);
     void on_welcome(const protocol::server::Welcome& welcome);
     void on_snapshot(const protocol::server::TableSnapshot& snapshot, base::Instant now);
