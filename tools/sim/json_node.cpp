@@ -1,0 +1,105 @@
+// Takes JSON values; gives numbers, words and lists, or a fault that names the field.
+#include "tools/sim/json_node.h"
+
+#include <algorithm>
+
+namespace billiards::tools {
+
+JsonNode JsonNode::operator[](const std::string& key) const {
+    const std::string field = field_.empty() ? key : field_ + "." + key;
+    if (!is_present()) return {nullptr, field, *fault_};
+    if (!value_->is_object()) {
+        report("must be an object");
+        return {nullptr, field, *fault_};
+    }
+    const auto found = value_->find(key);
+    return {found == value_->end() ? nullptr : &*found, field, *fault_};
+}
+
+double JsonNode::number() const {
+    if (is_present() && value_->is_number()) return value_->get<double>();
+    report(is_present() ? "must be a number" : "is missing");
+    return 0.0;
+}
+
+double JsonNode::number_or(double fallback) const {
+    return is_present() ? number() : fallback;
+}
+
+std::string JsonNode::text() const {
+    if (is_text()) return value_->get<std::string>();
+    report(is_present() ? "must be a string" : "is missing");
+    return {};
+}
+
+std::string JsonNode::text_or(const std::string& fallback) const {
+    return is_present() ? text() : fallback;
+}
+
+std::size_t JsonNode::one_of(std::initializer_list<const char*> words) const {
+    const std::string word = text();
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+    std::string wanted;
+    for (const char* each : words) wanted += (wanted.empty() ? "" : ", ") + std::string(each);
+    report("must be one of " + wanted);
+    return 0;
+}
+
+std::vector<double> JsonNode::numbers(std::size_t least, std::size_t most) const {
+    std::vector<double> result;
+    for (const JsonNode& item : items()) result.push_back(item.number());
+    if (!is_present()) report("is missing");
+    if (result.size() < least || result.size() > most) {
+        report("must have " + std::to_string(most) + " numbers");
+    }
+    result.resize(most);
+    return result;
+}
+
+base::Vec2 JsonNode::pair() const {
+    const std::vector<double> values = numbers(2, 2);
+    return {values[0], values[1]};
+}
+
+base::Vec2 JsonNode::pair_or(const base::Vec2& fallback) const {
+    return is_present() ? pair() : fallback;
+}
+
+base::Vec3 JsonNode::triple(std::optional<double> height) const {
+    const bool is_flat = height && is_present() && value_->size() == 2;
+    const std::vector<double> values = numbers(is_flat ? 2 : 3, is_flat ? 2 : 3);
+    return {values[0], values[1], is_flat ? *height : values[2]};
+}
+
+base::Vec3 JsonNode::triple_or(const base::Vec3& fallback) const {
+    return is_present() ? triple() : fallback;
+}
+
+std::vector<JsonNode> JsonNode::items() const {
+    std::vector<JsonNode> result;
+    if (!is_present()) return result;
+    if (!value_->is_array()) {
+        report("must be a list");
+        return result;
+    }
+    for (std::size_t i = 0; i < value_->size(); ++i) {
+        result.emplace_back(&(*value_)[i], field_ + "[" + std::to_string(i) + "]", *fault_);
+    }
+    return result;
+}
+
+std::vector<std::pair<std::string, JsonNode>> JsonNode::members() const {
+    std::vector<std::pair<std::string, JsonNode>> result;
+    if (!is_present()) return result;
+    if (!value_->is_object()) {
+        report("must be an object");
+        return result;
+    }
+    for (const auto& [key, value] : value_->items()) {
+        result.emplace_back(key, JsonNode(&value, field_ + "." + key, *fault_));
+    }
+    return result;
+}
+
+}  // namespace billiards::tools
