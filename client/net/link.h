@@ -47,8 +47,8 @@ class Link {
     /// From the Welcome on: pings the server, at first more often, so that its clock is known soon
     /// and it never takes this client for an idle one.
     void keep_alive();
-    /// Leaves what arrives to the system's buffers, and then to the server's. For tests of slow
-    /// receivers, and for a caller that has enough to do.
+    /// Once the read that is under way is done, leaves what arrives to the system's buffers, and
+    /// then to the server's. For a caller that has enough to do, and for slow receivers on purpose.
     void pause_reading();
     void resume_reading();
 

@@ -24,7 +24,9 @@ double Samples::at(double quantile) const {
 
 nlohmann::ordered_json Samples::summary() const {
     if (samples_.empty()) return nullptr;
-    return {{"p50", at(0.5)}, {"p99", at(0.99)}, {"max", at(1.0)}};
+    // To a thousandth: what is beyond it is noise of the subtractions.
+    const auto rounded = [this](double quantile) { return std::round(at(quantile) * 1e3) / 1e3; };
+    return {{"p50", rounded(0.5)}, {"p99", rounded(0.99)}, {"max", rounded(1.0)}};
 }
 
 void Recorder::shot_sent(std::uint64_t shot_id, base::Instant at) {
