@@ -27,6 +27,8 @@ struct Last {
     Ours ours;
     Wire wire;
 };
+template <class Ours, class Wire>
+Last(Ours, Wire) -> Last<Ours, Wire>;  // clang-14 does not find it by itself.
 
 // clang-format off
 constexpr auto last_of(model::Seat) { return Last{model::Seat::Second, wire::Seat::SECOND}; }
