@@ -36,11 +36,8 @@ constexpr double kSlidingRatio = -2.5;
 /// Relative, of two numbers that went through 32 bits: a few of their last places.
 constexpr double kTolerance = 0x1p-20;
 
-double rounded(double number) {
-    return static_cast<float>(number);
-}
-Vec2 rounded(Vec2 v) {
-    return {rounded(v.x), rounded(v.y)};
+Vec2 as_sent(Vec2 v) {
+    return {protocol::as_sent(v.x), protocol::as_sent(v.y)};
 }
 Vec2 quarter_turn(Vec2 v) {  // z x v
     return {-v.y, v.x};
@@ -59,10 +56,10 @@ struct InPlane {
 };
 
 InPlane in_plane(const Segment& segment) {
-    return {rounded(base::horizontal(segment.velocity_mps)),
-            rounded(base::horizontal(segment.acceleration_mps2)),
-            rounded(base::horizontal(segment.spin_radps)),
-            rounded(base::horizontal(segment.spin_rate_radps2))};
+    return {as_sent(base::horizontal(segment.velocity_mps)),
+            as_sent(base::horizontal(segment.acceleration_mps2)),
+            as_sent(base::horizontal(segment.spin_radps)),
+            as_sent(base::horizontal(segment.spin_rate_radps2))};
 }
 
 Vec2 rolling_spin(Vec2 motion, double radius_m) {
@@ -88,12 +85,14 @@ Plane plane_of(const InPlane& motion, double radius_m) {
 }
 
 bool has_height(const Segment& segment, double radius_m) {
-    return rounded(segment.position_m.z) != rounded(radius_m) ||
-           rounded(segment.velocity_mps.z) != 0 || rounded(segment.acceleration_mps2.z) != 0;
+    return protocol::as_sent(segment.position_m.z) != protocol::as_sent(radius_m) ||
+           protocol::as_sent(segment.velocity_mps.z) != 0 ||
+           protocol::as_sent(segment.acceleration_mps2.z) != 0;
 }
 
 bool has_twist(const Segment& segment) {
-    return rounded(segment.spin_radps.z) != 0 || rounded(segment.spin_rate_radps2.z) != 0;
+    return protocol::as_sent(segment.spin_radps.z) != 0 ||
+           protocol::as_sent(segment.spin_rate_radps2.z) != 0;
 }
 
 class Numbers {
@@ -154,6 +153,13 @@ InPlane unpack_plane(Plane plane, double radius_m, Source& in) {
 }
 
 }  // namespace
+
+double as_sent(double number) {
+    // g++ 12.2 from -O2 on drops the rounding where two such numbers lie side by side (it makes a
+    // vector of the pair and forgets the way through float); volatile keeps it.
+    const volatile float rounded = static_cast<float>(number);
+    return rounded;
+}
 
 std::uint8_t pack(const Segment& segment, double radius_m, std::vector<float>& numbers) {
     const Plane plane = plane_of(in_plane(segment), radius_m);

@@ -12,6 +12,9 @@
 
 namespace billiards::protocol {
 
+/// A number as it arrives: rounded to 32 bits.
+double as_sent(double number);
+
 /// Appends the numbers of `segment` and gives its form: motion and what the numbers are.
 /// The start is not among them.
 std::uint8_t pack(const timeline::Segment& segment, double radius_m, std::vector<float>& numbers);

@@ -1,0 +1,274 @@
+// Gives one message of each kind, each field with a value of its own.
+#include "tests/common/protocol/samples.h"
+
+#include "common/protocol/limits.h"
+
+#include <utility>
+
+namespace billiards::protocol {
+
+namespace {
+
+using model::BallId;
+using model::BallSet;
+using model::Motion;
+using model::Place;
+using model::Seat;
+using model::TurnNumber;
+using timeline::Segment;
+
+ResumeToken sample_token() {
+    ResumeToken token{};
+    for (std::size_t i = 0; i < token.size(); ++i) token[i] = static_cast<std::uint8_t>(7 * i + 1);
+    return token;
+}
+
+model::Shot sample_shot() {
+    return {.angle_rad = -1.25,
+            .power = 0.7,
+            .tip_left = -0.125,
+            .tip_up = 0.3,
+            .elevation_rad = 0.0625};
+}
+
+match::Settings settings() {
+    return {.game = rules::Game::EightBall,
+            .options = {.call = false},
+            .table = model::TableSize::EightFoot,
+            .physics = match::PhysicsPreset::Classic,
+            .break_order = match::BreakOrder::Loser,
+            .race_to = 5,
+            .shot_clock_s = 30.5,
+            .break_shot_clock_s = 0.0};
+}
+
+model::Layout layout() {
+    return {{{BallId{0}, Place::InHand, {}},
+             {BallId{1}, Place::OnTable, {0.1, -0.2}},
+             {BallId{8}, Place::Pocketed, {1.3, 0.66}},
+             {BallId{15}, Place::OffTable, {-1.7, 0.3}}}};
+}
+
+rules::RackState rack() {
+    return {.phase = rules::Phase::Groups,
+            .shooter = Seat::Second,
+            .groups = {{{rules::Group::Stripes, rules::Group::Solids}}},
+            .on_table = BallSet{BallId{1}, BallId{8}, BallId{15}},
+            .in_hand = rules::Zone::BehindHeadString,
+            .behind_head_string = BallSet{BallId{1}},
+            .consecutive_fouls = {{1, 2}}};
+}
+
+rules::Verdict verdict() {
+    return {.fouls = {rules::Foul::Scratch, rules::Foul::WrongBallStruck},
+            .turn_continues = true,
+            .next_player = Seat::Second,
+            .in_hand = rules::Zone::Anywhere,
+            .choices = {rules::Choice::RebreakOpponent, rules::Choice::SpotEight},
+            .chooser = Seat::Second,
+            .groups = {{{rules::Group::Solids, rules::Group::Stripes}}},
+            .spotted = {BallId{8}, BallId{15}},
+            .winner = Seat::First,
+            .consecutive_fouls = {{0, 3}},
+            .reason = rules::Reason::ClockRanOut};
+}
+
+match::MatchState choosing() {
+    return {.settings = settings(),
+            .stage = match::Stage::Choosing,
+            .turn = TurnNumber{17},
+            .to_act = Seat::Second,
+            .rack_number = 4,
+            .breaker = Seat::Second,
+            .racks_won = {{2, 1}},
+            .shots_played = 41,
+            .rack = rack(),
+            .layout = layout(),
+            .pending = match::MatchState::Pending{verdict(), rack()},
+            .winner = Seat::First};
+}
+
+match::MatchState fresh() {
+    match::MatchState state;
+    state.settings = settings();
+    state.layout = layout();
+    return state;
+}
+
+server::Turn turn() {
+    return {.opens_us = 123'456'789, .deadline_us = 168'456'789};
+}
+
+server::SeatView seat(const std::string& name) {
+    return {.taken = true, .connected = name.empty(), .ready = !name.empty(), .name = name};
+}
+
+server::TableRow row() {
+    return {.table = TableId{9},
+            .name = "Zum blauen Stoß",
+            .settings = settings(),
+            .seats = {{seat("Ada#3f21"), seat("")}},
+            .racks_won = {{3, 4}},
+            .playing = true,
+            .spectators = 12};
+}
+
+server::ShotPlayed shot_played() {
+    return {.sequence = 77,
+            .struck_us = -5,
+            .seat = Seat::Second,
+            .shot_id = 0xfedcba9876543210U,
+            .shot = sample_shot(),
+            .call = model::CalledBall{BallId{8}, model::PocketId{5}},
+            .record = sample_record(),
+            .verdict = verdict(),
+            .after = choosing(),
+            .turn = turn(),
+            .commit_us = 4321};
+}
+
+/// Spins about the vertical, too, wherever it moves.
+Segment moving(double start_s, Motion motion) {
+    return {.start_s = start_s,
+            .position_m = {0.5, -0.25, 0.03125},
+            .velocity_mps = {1.5, -0.5, 0},
+            .acceleration_mps2 = {-0.75, 0.25, 0},
+            .spin_radps = {0, 0, 6},
+            .spin_rate_radps2 = {0, 0, -12},
+            .motion = motion};
+}
+
+std::vector<Segment> sample_segments() {
+    // radius 1/32 m, so that what follows from velocities is exact.
+    Segment sliding = moving(0, Motion::Sliding);
+    sliding.spin_radps = {3, 4, 6};
+    sliding.spin_rate_radps2 = {-2.5 * 32 * -0.25, -2.5 * 32 * -0.75, -12};
+    Segment rolling = moving(0.1, Motion::Rolling);
+    rolling.spin_radps = {32 * 0.5, 32 * 1.5, 6};
+    rolling.spin_rate_radps2 = {32 * -0.25, 32 * -0.75, -12};
+    Segment flying = moving(0.2, Motion::Airborne);
+    flying.position_m.z = 0.0625;
+    flying.velocity_mps.z = 1.25;
+    flying.acceleration_mps2 = {0, 0, -9.75};
+    flying.spin_radps = {1, 2, 0};
+    flying.spin_rate_radps2 = {0, 0, 0};
+    Segment free = moving(0.3, Motion::Sliding);
+    free.spin_radps = {1, 2, 0.5};
+    free.spin_rate_radps2 = {3, -4, 0.25};
+    Segment spinning{.start_s = 0.4,
+                     .position_m = {0.75, 0.5, 0.03125},
+                     .spin_radps = {0, 0, 2},
+                     .spin_rate_radps2 = {0, 0, -12},
+                     .motion = Motion::Spinning};
+    Segment resting{.start_s = 0.7, .position_m = {0.75, 0.5, 0.03125}};
+    return {sliding, rolling, flying, free, spinning, resting};
+}
+
+}  // namespace
+
+timeline::ShotRecord sample_record() {
+    using model::ShotEvent;
+    const BallId one{1};
+    return {.events = {ShotEvent::motion(0, model::kCueBall, Motion::Sliding),
+                       ShotEvent::ball_ball(0.1, model::kCueBall, one),
+                       ShotEvent::cushion(0.1, one, 17, true), ShotEvent::jaw(0.15, one, 11, false),
+                       ShotEvent::head_string(0.25, -1), ShotEvent::landing(0.3, model::kCueBall),
+                       ShotEvent::pocketed(0.5, one, model::PocketId{5}),
+                       ShotEvent::off_table(0.6, BallId{21})},
+            .timeline = {{{model::kCueBall, 0.03125, sample_segments()},
+                          {one, 0.028575, {{.position_m = {1, 2, 0.028575}}}},
+                          {BallId{21}, 0.028, {{.motion = Motion::OffTable}}}}},
+            .final_layout = layout(),
+            .duration_s = 0.7000000000000001,
+            .hash = 0x0123456789abcdefU};
+}
+
+std::vector<Sample<ClientMessage>> client_samples() {
+    const TurnNumber turn{17};
+    return {
+        {"hello", {1, client::Hello{"Ada", {}}}},
+        {"hello with token", {2, client::Hello{"Žofie 漢字", sample_token()}}},
+        {"list tables", {3, client::ListTables{}}},
+        {"create table", {4, client::CreateTable{"Ada's", settings(), Role::BothSeats}}},
+        {"join", {5, client::Join{TableId{9}, Role::Spectator}}},
+        {"leave", {6, client::Leave{}}},
+        {"ready", {7, client::Ready{}}},
+        {"place cue ball", {8, client::PlaceCueBall{turn, {-0.6, 0.1}}}},
+        {"aim", {9, client::Aim{turn, sample_shot()}}},
+        {"take shot", {10, client::TakeShot{turn, 99, sample_shot(), model::NoCall{}}}},
+        {"take called shot",
+         {11, client::TakeShot{turn, 100, sample_shot(),
+                               model::CalledBall{BallId{8}, model::PocketId{3}}}}},
+        {"take safety", {12, client::TakeShot{turn, 101, sample_shot(), model::Safety{}}}},
+        {"seen", {13, client::Seen{77}}},
+        {"choose", {14, client::Choose{turn, rules::Choice::BallInHandBehindHeadString}}},
+        {"concede", {15, client::Concede{}}},
+        {"chat", {16, client::Chat{"good shot 🎱"}}},
+        {"ping", {0xffffffffU, client::Ping{-123'456'789'012}}},
+    };
+}
+
+std::vector<Sample<ServerMessage>> server_samples() {
+    return {
+        {"welcome", server::Welcome{"Ada#3f21", sample_token(), 1'000'000, {}}},
+        {"welcome back", server::Welcome{"Ada#3f21", sample_token(), 1'000'001, TableId{9}}},
+        {"refused", server::Refused{RefusedCode::TooMany, {}, "chat", 16}},
+        {"refused by the match",
+         server::Refused{RefusedCode::Match, match::RefusalCode::Unsolvable, "20001 events", 11}},
+        {"table list", server::TableList{{row(), server::TableRow{}}}},
+        {"table snapshot", server::TableSnapshot{.sequence = 78,
+                                                 .row = row(),
+                                                 .your_seats = {Seat::First, Seat::Second},
+                                                 .match = choosing(),
+                                                 .rolling = shot_played(),
+                                                 .turn = turn(),
+                                                 .server_time_us = 5}},
+        {"empty table snapshot", server::TableSnapshot{}},
+        {"seat changed", server::SeatChanged{79, {{seat("Bo#0001"), seat("")}}, 3}},
+        {"match started", server::MatchStarted{80, fresh(), turn()}},
+        {"cue ball placed", server::CueBallPlaced{81, Seat::Second, {-0.6, 0.1}}},
+        {"aim shown", server::AimShown{Seat::Second, TurnNumber{17}, sample_shot()}},
+        {"shot played", shot_played()},
+        {"turn opened", server::TurnOpened{82, TurnNumber{18}, turn()}},
+        {"match moved", server::MatchMoved{83, Seat::Second, rules::Choice::SpotEight, verdict(),
+                                           fresh(), turn()}},
+        {"match moved by the clock",
+         server::MatchMoved{84, Seat::First, {}, {}, choosing(), server::Turn{}}},
+        {"match over", server::MatchOver{85, Seat::Second, {{4, 5}}, 120, true}},
+        {"chat said", server::ChatSaid{"Ada#3f21", "good shot 🎱"}},
+        {"notice", server::Notice{server::NoticeCode::ReplacedByNewConnection, "from elsewhere"}},
+        {"pong", server::Pong{-1, 2}},
+    };
+}
+
+std::vector<Sample<JournalEntry>> journal_samples() {
+    const TurnNumber turn{17};
+    const auto entry = [](match::Command command) {
+        JournalEntry made;
+        made.seat = Seat::Second;
+        made.command = std::move(command);
+        return made;
+    };
+    JournalEntry shot = entry(match::TakeShot{turn, sample_shot(), model::Safety{}});
+    shot.shot_id = 99;
+    shot.verdict = verdict();
+    shot.final_layout = layout();
+    shot.record = sample_record();
+    JournalEntry timeout = entry(match::Timeout{turn});
+    timeout.verdict = verdict();
+    return {{"place cue ball", entry(match::PlaceCueBall{{-0.6, 0.1}})},
+            {"take shot", shot},
+            {"choose", entry(match::Choose{turn, rules::Choice::RebreakSelf})},
+            {"timeout", timeout},
+            {"concede", entry(match::Concede{})}};
+}
+
+StoredSettings sample_settings() {
+    return {.settings = settings(), .seed = 0x8000000000000001U};
+}
+
+std::span<const std::byte> content_of(const SharedFrame& frame) {
+    return std::span<const std::byte>(*frame).subspan(kFrameHeaderBytes);
+}
+
+}  // namespace billiards::protocol
