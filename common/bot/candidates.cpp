@@ -57,6 +57,10 @@ bool is_inside(const TableSpec& table, Vec2 position_m) {
     return std::fabs(position_m.x) <= reach_m.x && std::fabs(position_m.y) <= reach_m.y;
 }
 
+Vec2 ghost_m(const Pot& pot) {
+    return pot.ball_m - 2 * kRadius_m * pot.towards;
+}
+
 /// One object ball on its way into one pocket, wherever the cue ball comes from.
 struct Line {
     Pot pot;
@@ -99,16 +103,16 @@ std::vector<Line> open_lines(const TableSpec& table, const Layout& layout, model
 /// Fills in what depends on the cue ball; false where the pot cannot be played from there.
 bool is_playable_from(const TableSpec& table, const Layout& layout, Vec2 cue_ball_m, Line& line) {
     Pot& pot = line.pot;
-    const Vec2 ghost_m = pot.ball_m - 2 * kRadius_m * pot.towards;
-    const Vec2 path_m = ghost_m - cue_ball_m;
+    const Vec2 end_m = ghost_m(pot);
+    const Vec2 path_m = end_m - cue_ball_m;
     pot.cue_path_m = std::max(glm::length(path_m), kRadius_m);
     pot.cut_cosine = glm::dot(path_m, pot.towards) / pot.cue_path_m;
-    if (pot.cut_cosine < kMinCutCosine || !is_inside(table, ghost_m)) return false;
+    if (pot.cut_cosine < kMinCutCosine || !is_inside(table, end_m)) return false;
     // An error of the aim grows by cue path over (diameter x cosine) at the contact, and the
     // object ball carries it all the way to the mouth.
     pot.margin_rad =
         line.clearance_m / pot.ball_path_m * 2 * kRadius_m * pot.cut_cosine / pot.cue_path_m;
-    return is_path_clear(layout, cue_ball_m, ghost_m, pot.ball);
+    return is_path_clear(layout, cue_ball_m, end_m, pot.ball);
 }
 
 }  // namespace
@@ -122,8 +126,8 @@ bool is_path_clear(const Layout& layout, Vec2 from_m, Vec2 to_m, model::BallId e
     });
 }
 
-double aim_rad(Vec2 cue_ball_m, const Pot& pot, Vec2 towards) {
-    const Vec2 path_m = pot.ball_m - 2 * kRadius_m * towards - cue_ball_m;
+double aim_rad(Vec2 cue_ball_m, const Pot& pot) {
+    const Vec2 path_m = ghost_m(pot) - cue_ball_m;
     return base::arc_tangent(path_m.y, path_m.x);
 }
 

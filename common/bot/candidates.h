@@ -25,9 +25,8 @@ struct Pot {
     double margin_rad = 0.0;  ///< How far the aim may be off: the larger, the easier.
 };
 
-/// The angle at which a cue ball at `cue_ball_m` meets `pot`'s ball so that the line of centres
-/// points along `towards`.
-double aim_rad(base::Vec2 cue_ball_m, const Pot& pot, base::Vec2 towards);
+/// Where the cue must point for a cue ball at `cue_ball_m`.
+double aim_rad(base::Vec2 cue_ball_m, const Pot& pot);
 
 /// All pots of `targets` from `cue_ball_m`, easiest first.
 std::vector<Pot> pots_from(const model::TableSpec& table, const model::Layout& layout,

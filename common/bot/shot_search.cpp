@@ -23,12 +23,11 @@ using base::Vec2;
 using match::MatchState;
 
 constexpr double kRadius_m = model::BallSpec{}.radius_m;
-constexpr std::size_t kPotsTried = 6;
-/// Times the speed that just brings the ball to the pocket.
+constexpr std::size_t kPotsTried = 8;
+/// Times the speed that just brings the ball to the pocket. Friction between the balls throws a cut
+/// off its line, by less the harder and the more spinning the hit: some way of playing it goes in.
 constexpr double kPotPaces[] = {1.3, 2.0, 3.0};
 constexpr double kPotTips_up[] = {0.0, 0.3, -0.3};
-/// A pot that misses by throw is aimed again this often.
-constexpr int kCorrections = 2;
 constexpr double kSafetyPowers[] = {0.12, 0.25};
 /// Where on the object ball a safety hits it, in radii from the full hit.
 constexpr double kSafetyFullness[] = {0.0, 1.4, -1.4};
@@ -36,10 +35,6 @@ constexpr int kAroundShots = 36;
 constexpr double kAroundPower = 0.35;
 constexpr double kBreakPower_low = 0.9;
 constexpr double kBreakSpread_rad = base::radians(0.25);
-
-Vec2 unit(double angle_rad) {
-    return {base::cosine(angle_rad), base::sine(angle_rad)};
-}
 
 double angle_of(Vec2 direction) {
     return base::arc_tangent(direction.y, direction.x);
@@ -96,35 +91,6 @@ double just_enough_power(const physics::Parameters& parameters, const Pot& pot) 
     return cue_ball_mps / full_power_mps;
 }
 
-/// How the object ball left, once it was hit; none where it was not.
-std::optional<Vec2> departure(const timeline::ShotRecord& record, model::BallId ball) {
-    for (const timeline::BallTrack& track : record.timeline.tracks) {
-        if (track.ball != ball) continue;
-        for (const timeline::Segment& segment : track.segments) {
-            const Vec2 velocity_mps = base::horizontal(segment.velocity_mps);
-            const double speed_mps = glm::length(velocity_mps);
-            if (speed_mps > 0) return velocity_mps / speed_mps;
-        }
-    }
-    return std::nullopt;
-}
-
-/// Tries one pot, and again with the aim corrected by how much it was off: friction between the
-/// balls throws the object ball off the line of centres.
-void try_pot(Search& search, const MatchState& state, Vec2 cue_ball_m, const Pot& pot,
-             model::Shot shot) {
-    const model::Call call = call_for(state, model::CalledBall{pot.ball, pot.pocket});
-    double line_rad = angle_of(pot.towards);
-    for (int tried = 0; tried <= kCorrections; ++tried) {
-        shot.angle_rad = aim_rad(cue_ball_m, pot, unit(line_rad));
-        const Trial* trial = search.attempt(shot, call);
-        if (trial == nullptr || trial->step.outcome.verdict->next_player == state.to_act) return;
-        const std::optional<Vec2> left = departure(*trial->step.outcome.record, pot.ball);
-        if (!left) return;
-        line_rad += angle_of(pot.towards) - angle_of(*left);
-    }
-}
-
 void try_pots(Search& search, const MatchState& state, Vec2 cue_ball_m,
               const std::vector<Pot>& pots) {
     const physics::Parameters& parameters = match::parameters_of(state.settings.physics);
@@ -134,7 +100,9 @@ void try_pots(Search& search, const MatchState& state, Vec2 cue_ball_m,
             for (std::size_t i = 0; i < std::min(pots.size(), kPotsTried); ++i) {
                 const double power = pace * just_enough_power(parameters, pots[i]);
                 if (power > 1.0) continue;
-                try_pot(search, state, cue_ball_m, pots[i], {.power = power, .tip_up = tip_up});
+                const double angle_rad = aim_rad(cue_ball_m, pots[i]);
+                search.attempt({.angle_rad = angle_rad, .power = power, .tip_up = tip_up},
+                               call_for(state, model::CalledBall{pots[i].ball, pots[i].pocket}));
             }
         }
     }

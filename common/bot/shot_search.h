@@ -7,7 +7,7 @@
 namespace billiards::bot {
 
 /// The most shots that one choice tries in the engine.
-inline constexpr int kMaxTrials = 96;
+inline constexpr int kMaxTrials = 128;
 
 /// The cue ball lies on the table.
 match::TakeShot best_shot(const match::MatchState& state);

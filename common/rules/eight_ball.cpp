@@ -176,8 +176,10 @@ Verdict judge_after_break(const RackState& state, const Options& options, const 
     }
     const auto rulings = turn_rulings(state, facts, foul, safety, scoring.has_value());
     Verdict verdict = verdict_of(state, std::move(fouls), rulings);
-    const bool sets_groups = verdict.reason == Reason::LegalPot && !state.groups;
-    if (sets_groups) verdict.groups = groups_with(state.shooter, group_of(*scoring));
+    // Where the groups were set before, the ball was the shooter's and this changes nothing.
+    if (verdict.reason == Reason::LegalPot) {
+        verdict.groups = groups_with(state.shooter, group_of(*scoring));
+    }
     return verdict;
 }
 

@@ -18,6 +18,7 @@ using match::nine_foot;
 
 constexpr model::PocketId kFootRight{2};
 constexpr model::PocketId kFootLeft{3};
+constexpr model::PocketId kHeadLeft{5};
 constexpr model::PocketId kSideRight{1};
 
 std::vector<Pot> pots(const model::Layout& layout, model::BallSet targets, Vec2 cue_ball_m) {
@@ -37,7 +38,7 @@ TEST(Pots, StraightOneIsSeenAimedAtFullAndIsTheEasiest) {
     const Pot& pot = seen.front();
     EXPECT_EQ(pot.pocket, kFootRight);
     EXPECT_GT(pot.cut_cosine, 0.999);
-    EXPECT_NEAR(aim_rad(cue_ball_m, pot, pot.towards), -base::kPi / 4, 0.05);
+    EXPECT_NEAR(aim_rad(cue_ball_m, pot), -base::kPi / 4, 0.05);
 }
 
 TEST(Pots, OnlyTargetsAreSeen) {
@@ -74,6 +75,11 @@ TEST(Pots, BackwardsCutIsNotSeen) {
 TEST(Pots, SidePocketIsSeenFromInFrontAndNotAlongTheRail) {
     EXPECT_TRUE(sees(pots(layout_of({{3, {0.0, -0.3}}}), {id(3)}, {0.0, 0.1}), 3, kSideRight));
     EXPECT_FALSE(sees(pots(layout_of({{3, {0.7, -0.58}}}), {id(3)}, {1.1, -0.5}), 3, kSideRight));
+}
+
+TEST(Pots, BallThatHangsInTheJawsIsSeenIntoItsPocket) {
+    const model::Layout layout = layout_of({{3, {-1.2535, 0.6019}}});
+    EXPECT_TRUE(sees(pots(layout, {id(3)}, {0.0, 0.0}), 3, kHeadLeft));
 }
 
 TEST(Pots, EasierMeansNearerAndFuller) {

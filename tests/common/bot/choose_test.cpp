@@ -71,10 +71,18 @@ TEST(Bot, DropsABallThatHangsInTheJaws) {
     }
 }
 
-TEST(Bot, PotsALongCutInSpiteOfThrow) {
-    const MatchState match =
-        with_only({{0, {-0.6, 0.3}}, {3, {0.5, -0.2}}, {8, {-1.0, 0.4}}, {12, {-1.0, -0.4}}});
-    EXPECT_EQ(verdict_of_choice(match).reason, rules::Reason::LegalPot);
+TEST(Bot, MakesNearlyEveryCutThatItSeesInSpiteOfThrow) {
+    constexpr int kShots = 60;
+    int made = 0;
+    base::Random random(4);
+    for (int i = 0; i < kShots; ++i) {
+        const Vec2 cue_ball_m{random.uniform(-1.0, -0.4), random.uniform(-0.5, 0.5)};
+        const Vec2 ball_m{random.uniform(0.0, 0.6), random.uniform(-0.5, 0.5)};
+        const MatchState match =
+            with_only({{0, cue_ball_m}, {3, ball_m}, {8, {1.2, 0.0}}, {12, {1.2, 0.2}}});
+        if (verdict_of_choice(match).reason == rules::Reason::LegalPot) ++made;
+    }
+    EXPECT_GE(made, 57);
 }
 
 TEST(Bot, WinsWithTheEightWhenItsGroupIsDown) {

@@ -237,6 +237,7 @@ TEST(MatchRace, EndsWhenOneSeatHasWonItsRacks) {
     EXPECT_EQ(match.winner, Seat::First);
     EXPECT_EQ(match.racks_won[Seat::First], 2);
     EXPECT_EQ(match.racks_won[Seat::Second], 1);
+    EXPECT_EQ(match.rack.in_hand, Zone::None);
     expect_sound(match);
 }
 
