@@ -1,0 +1,54 @@
+// Shows that what any release has sent or stored still means the same.
+#include "tests/common/protocol/golden.h"
+
+#include "common/protocol/codec.h"
+#include "tests/common/protocol/samples.h"
+
+#include <gtest/gtest.h>
+
+namespace billiards::protocol {
+namespace {
+
+class GoldenOfRelease : public testing::TestWithParam<const char*> {
+  protected:
+    Golden golden = read_golden(std::filesystem::path(GOLDEN_WIRE_FOLDER) / GetParam());
+
+    const Bytes& bytes(const std::string& kind, const std::string& name) const {
+        return golden.at({kind, name});
+    }
+};
+
+TEST_P(GoldenOfRelease, HoldsWhatAClientSays) {
+    for (const auto& [name, message] : client_samples()) {
+        const auto decoded = decode_client(bytes("client", name));
+        ASSERT_TRUE(decoded.ok()) << name << ": " << decoded.error().detail;
+        EXPECT_EQ(*decoded, message) << name;
+    }
+}
+
+TEST_P(GoldenOfRelease, HoldsWhatAServerSays) {
+    for (const auto& [name, message] : server_samples()) {
+        const auto decoded = decode_server(bytes("server", name));
+        ASSERT_TRUE(decoded.ok()) << name << ": " << decoded.error().detail;
+        EXPECT_EQ(*decoded, message) << name;
+    }
+}
+
+TEST_P(GoldenOfRelease, HoldsWhatAJournalKeeps) {
+    for (const auto& [name, entry] : journal_samples()) {
+        const auto decoded = decode_entry(
+            {bytes("journal", name + ", command"), bytes("journal", name + ", verdict"),
+             bytes("journal", name + ", final layout"), bytes("journal", name + ", record")});
+        ASSERT_TRUE(decoded.ok()) << name << ": " << decoded.error().detail;
+        EXPECT_EQ(*decoded, entry) << name;
+    }
+    const auto stored = decode_settings(bytes("journal", "settings"));
+    ASSERT_TRUE(stored.ok());
+    EXPECT_EQ(stored->settings, sample_settings().settings);
+    EXPECT_EQ(stored->seed, sample_settings().seed);
+}
+
+INSTANTIATE_TEST_SUITE_P(Wire, GoldenOfRelease, testing::Values("1.0.txt"));
+
+}  // namespace
+}  // namespace billiards::protocol

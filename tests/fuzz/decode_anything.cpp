@@ -1,0 +1,89 @@
+// Takes any bytes; gives back nothing, but ends the program where a decoder does what it must not.
+#include "tests/fuzz/decode_anything.h"
+
+#include "common/base/check.h"
+#include "common/protocol/codec.h"
+#include "common/protocol/codec_journal.h"
+#include "common/protocol/framing.h"
+#include "common/protocol/text.h"
+#include "common/timeline/evaluate.h"
+
+#include <cmath>
+#include <string_view>
+
+namespace billiards::fuzz {
+
+namespace {
+
+using namespace protocol;
+
+std::span<const std::byte> content_of(const SharedFrame& frame) {
+    return std::span<const std::byte>(*frame).subspan(kFrameHeaderBytes);
+}
+
+void play(const timeline::ShotRecord& record) {
+    for (const timeline::BallTrack& track : record.timeline.tracks) {
+        for (const double time_s : {0.0, record.duration_s / 2, record.duration_s}) {
+            const base::Vec3 position = timeline::evaluate(track, time_s).position_m;
+            CHECK(std::isfinite(position.x + position.y + position.z));
+        }
+    }
+}
+
+void play(const ServerMessage& message) {
+    if (const auto* played = std::get_if<server::ShotPlayed>(&message)) play(played->record);
+    const auto* snapshot = std::get_if<server::TableSnapshot>(&message);
+    if (snapshot != nullptr && snapshot->rolling) play(snapshot->rolling->record);
+}
+
+/// Bytes are compared, and not values: a client's shot may hold a NaN.
+template <class Message>
+void check_that_it_settles(const Message& message, auto decode) {
+    const SharedFrame once = encode(message);
+    const auto again = decode(content_of(once));
+    CHECK(again.ok());
+    CHECK(*encode(*again) == *once);
+}
+
+void decode_columns(std::span<const std::byte> bytes) {
+    const Bytes column(bytes.begin(), bytes.end());
+    JournalEntry plain;
+    const Bytes command = encode_entry(plain).command;
+    for (const EncodedEntry& columns :
+         {EncodedEntry{column, {}, {}, {}}, EncodedEntry{command, column, {}, {}},
+          EncodedEntry{command, {}, column, {}}, EncodedEntry{command, {}, {}, column}}) {
+        const auto entry = decode_entry(columns);
+        if (!entry) continue;
+        if (entry->record) play(*entry->record);
+        const auto again = decode_entry(encode_entry(*entry));
+        CHECK(again.ok());
+    }
+}
+
+void decode_around_messages(std::span<const std::byte> bytes) {
+    if (bytes.size() >= kPreambleBytes) {
+        static_cast<void>(decode_preamble(bytes.first<kPreambleBytes>()));
+    }
+    if (bytes.size() >= kFrameHeaderBytes) {
+        static_cast<void>(
+            decode_frame_header(bytes.first<kFrameHeaderBytes>(), kMaxServerFrameBytes));
+    }
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const auto clean = clean_text(text, kMaxChatLength);
+    CHECK(!clean || clean_text(*clean, kMaxChatLength) == clean);
+}
+
+}  // namespace
+
+void decode_anything(std::span<const std::byte> bytes) {
+    if (const auto message = decode_client(bytes)) check_that_it_settles(*message, decode_client);
+    if (const auto message = decode_server(bytes)) {
+        play(*message);
+        check_that_it_settles(*message, decode_server);
+    }
+    decode_columns(bytes);
+    static_cast<void>(decode_settings(bytes));
+    decode_around_messages(bytes);
+}
+
+}  // namespace billiards::fuzz
