@@ -54,7 +54,7 @@ double root_between(const Polynomial& p, double above, double below) {
         const double value = p(t);
         (value > 0.0 ? above : below) = t;
         double next = t - value / p.slope(t);
-        const bool is_inside = next > std::min(above, below) && next < std::max(above, below);
+        const bool is_inside = next >= std::min(above, below) && next <= std::max(above, below);
         if (!is_inside) next = 0.5 * (above + below);
         if (std::abs(next - t) <= 1e-15 + 2e-16 * t) return next;
         t = next;
