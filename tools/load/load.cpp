@@ -28,7 +28,6 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr base::Duration kGatherTick = std::chrono::milliseconds(10);
-constexpr base::Duration kDropsAfter = std::chrono::seconds(4);
 constexpr std::size_t kOtherDescriptors = 32;
 constexpr int kLongRace = match::kMaxRaceTo;  ///< So that no match ends while it measures.
 
@@ -175,7 +174,9 @@ LoadSessionOptions Load::session() {
     session.address = options_.server;
     session.seed = ++next_seed_;
     session.name = fmt::format("Load {}", session.seed & 0xffff'ffffU);
-    if (options_.mode == LoadMode::Flap) session.drops_after = kDropsAfter;
+    if (options_.mode == LoadMode::Flap) {
+        session.drops_after = base::duration_of(options_.drop_after_s);
+    }
     return session;
 }
 

@@ -46,6 +46,9 @@ void add_options(CLI::App& app, LoadOptions& options, Texts& texts) {
     app.add_option("--aims-per-s", options.aims_per_s, "While a player thinks; 0: none")
         ->check(CLI::Range(0.0, 100.0))
         ->capture_default_str();
+    app.add_option("--drop-after", options.drop_after_s, "Seconds; flap keeps no connection longer")
+        ->check(CLI::Range(0.01, 3600.0))
+        ->capture_default_str();
     app.add_option("--connections-per-s", options.connections_per_s, "How fast they come")
         ->check(CLI::Range(1, 100'000))
         ->capture_default_str();

@@ -31,7 +31,8 @@ struct LoadOptions {
     std::uint64_t seed = 1;
     double min_think_s = 2.0;
     double max_think_s = 6.0;
-    double aims_per_s = 10.0;  ///< 0: aims are not shown.
+    double aims_per_s = 10.0;   ///< 0: aims are not shown.
+    double drop_after_s = 4.0;  ///< Flap: the longest that a connection is kept.
     int connections_per_s = 1000;
     double gather_s = 60.0;  ///< After which it measures with those who are in place.
     std::optional<pid_t> server_pid;

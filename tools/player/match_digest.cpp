@@ -1,6 +1,7 @@
 // Takes shots; hashes what they led to, in order.
 #include "tools/player/match_digest.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace billiards::tools {
@@ -30,6 +31,7 @@ bool MatchDigest::add(const protocol::server::ShotPlayed& shot) {
 }
 
 void MatchDigest::add(const protocol::server::MatchOver& over) {
+    missed_ += std::max(static_cast<int>(over.shots) - shots_ - missed_, 0);
     hasher_.add(static_cast<std::uint64_t>(over.winner));
     hasher_.add(std::uint64_t{over.shots});
 }
