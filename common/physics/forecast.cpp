@@ -50,6 +50,7 @@ class Lookout {
 
     Next look() {
         reach_ = swept_by(course_, horizon_s());
+        if (shape_.calm.contains(reach_)) return first_;
         for (std::size_t i = 0; i < shape_.walls.size(); ++i) look_at_wall(i);
         reach_ = swept_by(course_, horizon_s());
         for (std::size_t i = 0; i < shape_.posts.size(); ++i) look_at_post(i);

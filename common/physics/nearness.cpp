@@ -58,6 +58,7 @@ Nearness nearness(const TableShape& shape, FixedIndex fixed, const Vec3& positio
 
 void add_touching(const TableShape& shape, const Vec3& position_m, double radius_m,
                   std::vector<FixedIndex>& touching) {
+    if (shape.calm.contains(base::horizontal(position_m))) return;
     constexpr double kSlack_m = 1e-9;
     Box here;
     here.include(base::horizontal(position_m));

@@ -45,6 +45,26 @@ bool stays_above_zero(const Polynomial& p, double horizon) {
     return p.c[0] > 0.0 && b1 > 0.0 && b2 > 0.0 && b3 > 0.0 && b4 > 0.0;
 }
 
+bool is_convex(const Polynomial& p, double horizon) {
+    const auto bend = [&](double t) { return p.c[2] + t * (3.0 * p.c[3] + t * 6.0 * p.c[4]); };
+    const double turn = -p.c[3] / (4.0 * p.c[4]);
+    const bool turns = turn > 0.0 && turn < horizon;
+    return bend(0.0) > 0.0 && bend(horizon) > 0.0 && (!turns || bend(turn) > 0.0);
+}
+
+/// On a convex polynomial that starts above 0 Newton's steps from the left never pass the first
+/// root.
+double convex_descent(const Polynomial& p, double horizon) {
+    double t = 0.0;
+    for (double slope = p.slope(t); slope < 0.0; slope = p.slope(t)) {
+        const double step = -p(t) / slope;
+        t += step;
+        if (t > horizon) return kNever_s;
+        if (step <= 1e-15 + 2e-16 * t) return t;
+    }
+    return kNever_s;
+}
+
 /// The root between two times at which p has opposite signs, p(above) > 0 >= p(below); monotone
 /// between them. Newton, and a bisection wherever Newton would leave the bracket.
 double root_between(const Polynomial& p, double above, double below) {
@@ -110,6 +130,7 @@ Roots sign_changes(const Polynomial& p, double horizon) {
 double first_descent(const Polynomial& p, double horizon) {
     if (!std::isfinite(horizon)) horizon = root_bound(p);
     if (stays_above_zero(p, horizon)) return kNever_s;
+    if (p.c[0] > 0.0 && is_convex(p, horizon)) return convex_descent(p, horizon);
     double left = 0.0;
     double value_left = p(left);
     const auto falls_before = [&](double right) {

@@ -68,7 +68,7 @@ double widest_gap_m(const Plan& plan, const Vec2& into, double gap_m, double end
 ShotSolver::ShotSolver(const model::TableSpec& table, const Parameters& parameters,
                        std::span<const BallStart> balls, Diagnostics* diagnostics)
     : parameters_(parameters),
-      shape_(table),
+      shape_(table, largest_radius_m(balls)),
       head_string_m_(table.head_string_m),
       islands_(parameters) {
     movers_.reserve(balls.size());
@@ -145,7 +145,7 @@ void ShotSolver::land(int ball) {
                                            model::PocketId{static_cast<std::uint8_t>(*pocket)}));
         return remove(ball, Motion::Pocketed);
     }
-    if (is_outside(state.position_m)) {
+    if (is_behind_nose(shape_, base::horizontal(state.position_m))) {
         recorder_->add(ShotEvent::off_table(now_s_, falling.id));
         return remove(ball, Motion::OffTable);
     }
@@ -269,10 +269,6 @@ void ShotSolver::set_state(int ball, const BallState& state) {
     changing.plan = plan_motion(parameters_, changing.spec.radius_m, state, now_s_);
     recorder_->add_segment(at(ball), changing.plan.segment);
     changed_.push_back(ball);
-}
-
-bool ShotSolver::is_outside(const Vec3& position) const {
-    return !shape_.walls.empty() && !shape_.cushions.contains(base::horizontal(position));
 }
 
 std::optional<int> ShotSolver::pocket_at(const Vec3& position) const {

@@ -41,7 +41,6 @@ class ShotSolver {
     void look_again(const Contact& contact);
     void remove(int ball, model::Motion motion);
     void set_state(int ball, const model::BallState& state);
-    bool is_outside(const base::Vec3& position) const;
     std::optional<int> pocket_at(const base::Vec3& position) const;
     Mover& mover(int ball) { return movers_[static_cast<std::size_t>(ball)]; }
 

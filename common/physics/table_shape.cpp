@@ -46,7 +46,8 @@ bool has_post(const std::vector<Post>& posts, const Vec2& end) {
 
 }  // namespace
 
-TableShape::TableShape(const model::TableSpec& table) : nose_height_m(table.nose_height_m) {
+TableShape::TableShape(const model::TableSpec& table, double largest_radius_m)
+    : nose_height_m(table.nose_height_m) {
     walls.reserve(table.cushions.size());
     for (const model::CushionSegment& segment : table.cushions) walls.push_back(wall_of(segment));
     posts.reserve(table.jaws.size() + 2 * table.cushions.size());
@@ -60,11 +61,52 @@ TableShape::TableShape(const model::TableSpec& table) : nose_height_m(table.nose
         }
     }
     for (const model::PocketCircle& circle : table.pockets) pockets.push_back(pocket_of(circle));
-    if (table.half_playing_m != Vec2{}) {
+    has_marks = table.half_playing_m != Vec2{};
+    if (has_marks) {
         cushions = {table.center_m - table.half_playing_m, table.center_m + table.half_playing_m};
     }
     has_edge = table.half_outer_m != Vec2{};
     edge = {table.center_m - table.half_outer_m, table.center_m + table.half_outer_m};
+    find_calm(largest_radius_m);
+}
+
+/// The playing surface a radius inside the noses, where nothing stands within.
+void TableShape::find_calm(double largest_radius_m) {
+    constexpr double kSlack_m = 1e-6;
+    const Box inside = cushions.grown(-largest_radius_m - kSlack_m);
+    const Box free = cushions.grown(-kSlack_m);
+    const auto is_near_wall = [&](const Wall& wall) { return are_near(wall.box, free, 0.0); };
+    const auto is_near_post = [&](const Post& post) {
+        return are_near(post.box, free, post.radius_m);
+    };
+    const auto is_near_pocket = [&](const Pocket& pocket) {
+        const Vec2 offset = pocket.center_m - glm::clamp(pocket.center_m, inside.low, inside.high);
+        return glm::dot(offset, offset) <= pocket.radius_m * pocket.radius_m;
+    };
+    const bool is_free = inside.low.x < inside.high.x && inside.low.y < inside.high.y &&
+                         std::none_of(walls.begin(), walls.end(), is_near_wall) &&
+                         std::none_of(posts.begin(), posts.end(), is_near_post) &&
+                         std::none_of(pockets.begin(), pockets.end(), is_near_pocket);
+    if (is_free) calm = inside;
+}
+
+bool is_behind_nose(const TableShape& shape, const Vec2& point) {
+    constexpr double kSlack_m = 1e-9;
+    if (!shape.has_marks || shape.cushions.contains(point)) return false;
+    const auto is_behind = [&](const Wall& wall) {
+        const auto lies_on = [&](int axis, double border) {
+            return std::abs(wall.box.low[axis] - border) <= kSlack_m &&
+                   std::abs(wall.box.high[axis] - border) <= kSlack_m;
+        };
+        for (int axis = 0; axis < 2; ++axis) {
+            const double low = shape.cushions.low[axis];
+            const double high = shape.cushions.high[axis];
+            if (point[axis] < low && lies_on(axis, low)) return faces(wall, point);
+            if (point[axis] > high && lies_on(axis, high)) return faces(wall, point);
+        }
+        return false;
+    };
+    return std::any_of(shape.walls.begin(), shape.walls.end(), is_behind);
 }
 
 }  // namespace billiards::physics

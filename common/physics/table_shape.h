@@ -21,6 +21,10 @@ struct Box {
         high = glm::max(high, point);
     }
     Box grown(double margin) const { return {low - margin, high + margin}; }
+    bool contains(const Box& other) const {
+        return (other.low.x >= low.x) & (other.high.x <= high.x) & (other.low.y >= low.y) &
+               (other.high.y <= high.y);
+    }
     bool contains(const base::Vec2& point) const {
         return point.x >= low.x && point.x <= high.x && point.y >= low.y && point.y <= high.y;
     }
@@ -62,9 +66,16 @@ struct TableShape {
     std::vector<Pocket> pockets;
     double nose_height_m = 0.0;
     bool has_edge = false;
-    Box edge;      ///< Beyond it a ball is off the table.
-    Box cushions;  ///< What the noses enclose: a ball that comes down outside is off the table.
-    explicit TableShape(const model::TableSpec& table);
+    Box edge;                ///< Beyond it a ball is off the table.
+    bool has_marks = false;  ///< A table of known playing size, with a rail behind its noses.
+    Box cushions;            ///< What the noses enclose.
+    Box calm;                ///< A centre within it is near nothing fixed. May be empty.
+
+    /// No ball's radius is above largest_radius_m.
+    TableShape(const model::TableSpec& table, double largest_radius_m);
+
+  private:
+    void find_calm(double largest_radius_m);
 };
 
 /// Along the wall from its start, where the foot of the perpendicular from this point falls.
@@ -78,5 +89,9 @@ inline bool faces(const Wall& wall, const base::Vec2& point) {
     const double foot = foot_m(wall, point);
     return foot >= -kSlack_m && foot <= wall.length_m + kSlack_m;
 }
+
+/// Whether a centre lies past the playing surface and behind a nose, not between a pocket's jaws.
+/// Only where the table has marks.
+bool is_behind_nose(const TableShape& shape, const base::Vec2& point);
 
 }  // namespace billiards::physics

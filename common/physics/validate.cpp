@@ -6,6 +6,7 @@
 #include "common/physics/nearness.h"
 #include "common/physics/table_shape.h"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <optional>
@@ -91,25 +92,6 @@ Fault pair_fault(std::span<const BallStart> balls) {
     return {};
 }
 
-/// Whether a centre lies behind a nose of a table with bed marks: past the playing surface, but not
-/// between the jaws of a pocket.
-bool is_behind_nose(const TableShape& shape, const model::TableSpec& table, const Vec2& position) {
-    if (table.half_playing_m == Vec2{} || shape.cushions.contains(position)) return false;
-    for (const Wall& wall : shape.walls) {
-        const Vec2 to = wall.from_m + wall.length_m * wall.along;
-        const auto is_on_border = [&](int axis) {
-            const double border = table.half_playing_m[axis];
-            const double from_center = wall.from_m[axis] - table.center_m[axis];
-            const bool is_parallel = std::abs(wall.from_m[axis] - to[axis]) < 1e-9;
-            return is_parallel && std::abs(std::abs(from_center) - border) < 1e-9 &&
-                   std::abs(position[axis] - table.center_m[axis]) > border &&
-                   (position[axis] - table.center_m[axis]) * from_center > 0.0;
-        };
-        if ((is_on_border(0) || is_on_border(1)) && faces(wall, position)) return true;
-    }
-    return false;
-}
-
 Fault fixed_fault(const TableShape& shape, const BallStart& ball) {
     const double radius = ball.spec.radius_m;
     const double sine = lean_sine(shape, radius, radius);
@@ -130,7 +112,7 @@ Fault fixed_fault(const TableShape& shape, const BallStart& ball) {
     return {};
 }
 
-Fault place_fault(const TableShape& shape, const model::TableSpec& table, const BallStart& ball) {
+Fault place_fault(const TableShape& shape, const BallStart& ball) {
     const Vec2 position = base::horizontal(ball.position_m);
     if (shape.has_edge && !shape.edge.contains(position)) {
         return Error{ErrorCode::OutsideTable, name_of(ball.ball)};
@@ -139,7 +121,7 @@ Fault place_fault(const TableShape& shape, const model::TableSpec& table, const 
         return Error{ErrorCode::Overlap, name_of(ball.ball) + ", slate"};
     }
     if (auto fault = fixed_fault(shape, ball)) return fault;
-    if (is_behind_nose(shape, table, position)) {
+    if (is_behind_nose(shape, position)) {
         return Error{ErrorCode::OutsideTable, name_of(ball.ball)};
     }
     for (std::size_t i = 0; i < shape.pockets.size(); ++i) {
@@ -154,6 +136,12 @@ Fault place_fault(const TableShape& shape, const model::TableSpec& table, const 
 }
 
 }  // namespace
+
+double largest_radius_m(std::span<const BallStart> balls) {
+    double largest = 0.0;
+    for (const BallStart& ball : balls) largest = std::max(largest, ball.spec.radius_m);
+    return largest;
+}
 
 Result<Done> validate(const model::Shot& shot) {
     constexpr double kMostAngle_rad = 1000.0;  // Beyond it the sine's error grows.
@@ -228,9 +216,9 @@ Result<Done> validate(const model::TableSpec& table, std::span<const BallStart> 
         if (auto fault = number_fault(ball)) return *std::move(fault);
     }
     if (auto fault = pair_fault(balls)) return *std::move(fault);
-    const TableShape shape(table);
+    const TableShape shape(table, largest_radius_m(balls));
     for (const BallStart& ball : balls) {
-        if (auto fault = place_fault(shape, table, ball)) return *std::move(fault);
+        if (auto fault = place_fault(shape, ball)) return *std::move(fault);
     }
     return Done{};
 }

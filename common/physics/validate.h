@@ -22,6 +22,8 @@ inline constexpr double kMostRadius_m = 1.0;
 inline constexpr double kLeastMass_kg = 0.001;
 inline constexpr double kMostMass_kg = 100.0;
 
+double largest_radius_m(std::span<const BallStart> balls);
+
 Result<base::Done> validate(const Parameters& parameters);
 Result<base::Done> validate(const model::TableSpec& table);
 /// Numbers, ids, overlaps and places; the table and the parameters must be valid.
