@@ -2,6 +2,7 @@
 #include "server/server.h"
 
 #include "server/game_loop.h"
+#include "server/lobby/lobby.h"
 #include "server/net/batched_outbox.h"
 #include "server/net/network.h"
 #include "server/ops/http_server.h"
@@ -91,6 +92,7 @@ struct Server::Parts {
     void start();
     void stop();
 
+    void measured(const CommitMeasured& one);
     void answer(const std::string& path, HttpRespond respond);
     void answer_with_stats(std::function<HttpResponse(const LobbyStats&)> page,
                            HttpRespond respond);
@@ -107,6 +109,7 @@ struct Server::Parts {
     Network network;
     BatchedOutbox outbox;
     CommitMetrics commits;
+    bool storage_failing = false;  ///< Of the store's thread.
     ThreadedCommitter committer;
     Lobby lobby;
     std::optional<HttpServer> http;
@@ -126,7 +129,7 @@ Server::Parts::Parts(const ServerConfig& configuration, spdlog::logger& logger)
       committer(
           std::move(store),
           [this](auto answers) { loop.run([answers](Lobby&, base::Instant) { answers(); }); },
-          [this](const CommitMeasured& measured) { commits.observe(measured); }),
+          [this](const CommitMeasured& one) { measured(one); }),
       lobby(config.lobby, outbox, committer, system_random) {
     loop.attach(lobby, outbox);
 }
@@ -158,6 +161,18 @@ void Server::Parts::start() {
     game.start();
     for (const Endpoint& address : addresses) log.info("listening on {}", to_text(address));
     if (http) log.info("status pages on {}", to_text(http->endpoint()));
+}
+
+/// Logged when it changes: a full disk fails with every step of every table.
+void Server::Parts::measured(const CommitMeasured& one) {
+    commits.observe(one);
+    const bool fails = one.error.has_value();
+    if (std::exchange(storage_failing, fails) == fails) return;
+    if (fails) {
+        log.error("cannot store, so nothing is played: {}", one.error->detail);
+    } else {
+        log.info("can store again");
+    }
 }
 
 void Server::Parts::answer(const std::string& path, HttpRespond respond) {

@@ -1,9 +1,9 @@
 // Takes a configuration; gives a running server, and an orderly end of it.
 #pragma once
 
-#include "server/lobby/lobby.h"
 #include "server/net/address.h"
 #include "server/net/net_limits.h"
+#include "server/session/limits.h"
 
 #include <cstdint>
 #include <filesystem>

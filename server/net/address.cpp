@@ -33,8 +33,9 @@ std::optional<Endpoint> parse_endpoint(std::string_view text) {
 }
 
 std::string to_text(const Endpoint& endpoint) {
-    const char* form = endpoint.address().is_v6() ? "[{}]:{}" : "{}:{}";
-    return fmt::format(fmt::runtime(form), endpoint.address().to_string(), endpoint.port());
+    const std::string host = endpoint.address().to_string();
+    if (endpoint.address().is_v6()) return fmt::format("[{}]:{}", host, endpoint.port());
+    return fmt::format("{}:{}", host, endpoint.port());
 }
 
 bool is_loopback(const asio::ip::address& address) {

@@ -30,9 +30,9 @@ struct ConnectionShare {
     std::array<std::byte, 4096> unread{};  ///< Where bytes go that nobody wants any more.
 };
 
-/// Lives on the network's thread. Callbacks and not a coroutine: ten thousand of these wait at
-/// once, and a callback that waits is some 200 bytes where a coroutine's frames are several times
-/// that. Only a header has room reserved; the rest of a frame has some while it is arriving.
+/// Lives on the network's thread. Ten thousand of these wait at once, so one that is idle owns only
+/// itself and one pending read: callbacks instead of a coroutine's frames, room for a header
+/// instead of a buffer, and for the rest of a frame only while it is arriving.
 class Connection : public std::enable_shared_from_this<Connection> {
   public:
     using Clock = std::chrono::steady_clock;

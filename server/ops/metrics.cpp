@@ -70,7 +70,7 @@ CommitMetrics::CommitMetrics()
 void CommitMetrics::observe(const CommitMeasured& measured) {
     took_s_.Observe(base::seconds(measured.took));
     submissions_.Observe(static_cast<double>(measured.submissions));
-    if (measured.failed) failed_.Increment();
+    if (measured.error) failed_.Increment();
 }
 
 std::string metrics_text(const NetStats& net, const LobbyStats& lobby,

@@ -92,7 +92,8 @@ StoreResult<base::Done> ThreadedCommitter::commit_together(std::span<const Submi
     if (writes.empty()) return base::Done{};
     const auto start = Clock::now();
     auto result = store_->commit(writes);
-    measure_({since(start), group.size(), !result.ok()});
+    measure_(
+        {since(start), group.size(), result.ok() ? std::nullopt : std::optional(result.error())});
     return result;
 }
 

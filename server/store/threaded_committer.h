@@ -19,9 +19,9 @@ namespace billiards::server {
 
 /// One transaction, as it was measured.
 struct CommitMeasured {
-    base::Duration took{};        ///< From its begin to durable.
-    std::size_t submissions = 0;  ///< How many calls of submit it held.
-    bool failed = false;
+    base::Duration took{};              ///< From its begin to durable.
+    std::size_t submissions = 0;        ///< How many calls of submit it held.
+    std::optional<StoreError> error{};  ///< None: it is durable.
 };
 
 /// Groups without waiting: whatever is submitted while one transaction is flushed to the disk is

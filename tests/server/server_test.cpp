@@ -156,6 +156,39 @@ TEST(Server, AnswersBytesThatAreNoMessageAndGoesOn) {
     EXPECT_EQ(pong->client_time_us, 42);
 }
 
+TEST(Server, LetsANewConnectionOfAGuestReplaceTheOldOne) {
+    const TemporaryFolder folder;
+    const Running running(folder);
+    Guest old(running);
+    const Guest back(running, "Ada", old.welcome.token);
+    EXPECT_EQ(back.welcome.name, old.welcome.name);
+    const auto notice = old.hear<said::Notice>();
+    ASSERT_TRUE(notice);
+    EXPECT_EQ(notice->code, said::NoticeCode::ReplacedByNewConnection);
+    EXPECT_TRUE(old.connection.is_closed_by_other_side());
+}
+
+TEST(Server, WakesTheGameWhenItsTimeHasCome) {
+    const TemporaryFolder folder;
+    const Running running(folder);
+    Guest host(running);
+    host.say(client::CreateTable{"Friday", {}, protocol::Role::Player});
+    const auto opened = host.hear<said::TableSnapshot>();
+    ASSERT_TRUE(opened);
+    Guest one(running, "Grace");
+    Guest two(running, "Mary");
+    for (Guest* spectator : {&one, &two}) {
+        spectator->say(client::Join{opened->row.table, protocol::Role::Spectator});
+    }
+    // The second comes before spectators may be announced again, so that waits for its time.
+    std::uint32_t spectators = 0;
+    while (spectators < 2) {
+        const auto changed = host.hear<said::SeatChanged>();
+        ASSERT_TRUE(changed);
+        spectators = changed->spectators;
+    }
+}
+
 TEST(Server, TellsEveryoneThatItStopsAndIsGoneSoon) {
     const TemporaryFolder folder;
     const Running running(folder);
@@ -241,7 +274,7 @@ class FullDisk {
 
 TEST(Server, IsNotReadyWhileItCannotStoreAndSaysSoAndRecovers) {
     const TemporaryFolder folder;
-    const Running running(folder);
+    Running running(folder);
     std::optional<FullDisk> full(std::in_place);
     RawClient connection(running.server->port());
     connection.send_preamble();
@@ -257,6 +290,9 @@ TEST(Server, IsNotReadyWhileItCannotStoreAndSaysSoAndRecovers) {
     connection.send({2, client::Hello{"Ada", {}}});
     EXPECT_TRUE(connection.receive_next<said::Welcome>());
     EXPECT_THAT(running.page("/readyz"), StartsWith("HTTP/1.1 200"));
+    running.server->stop();
+    EXPECT_THAT(running.log_text.str(),
+                AllOf(HasSubstr("cannot store"), HasSubstr("can store again")));
 }
 
 }  // namespace

@@ -410,6 +410,21 @@ TEST(Network, SaysWhichAddressIsInUse) {
     }
 }
 
+TEST(Network, ListensWithIPv6WhereIPv4HasTheSamePort) {
+    Running running;
+    asio::io_context context;
+    RecordedEvents events;
+    spdlog::logger log("test");
+    Network second(context, {}, events, log);
+    try {
+        second.listen(*parse_endpoint("[::1]:0"));
+    } catch (const std::runtime_error&) {
+        GTEST_SKIP() << "this machine has no IPv6";
+    }
+    const Endpoint same_port(asio::ip::address_v6::any(), running.port);
+    EXPECT_EQ(second.listen(same_port), same_port);
+}
+
 TEST(Network, SaysWhichAddressIsNotThisMachines) {
     asio::io_context context;
     RecordedEvents events;

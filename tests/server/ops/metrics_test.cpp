@@ -46,8 +46,8 @@ TEST(Metrics, NamesWhatTheGameCounts) {
 
 TEST(Metrics, SortsCommitsByHowLongTheyTook) {
     CommitMetrics commits;
-    commits.observe({.took = 3ms, .submissions = 1, .failed = false});
-    commits.observe({.took = 30ms, .submissions = 5, .failed = true});
+    commits.observe({.took = 3ms, .submissions = 1});
+    commits.observe({.took = 30ms, .submissions = 5, .error = StoreError{}});
     const std::string text = metrics_text({}, {}, commits);
     EXPECT_THAT(text, HasSubstr("\nbilliards_commit_seconds_count 2\n"));
     EXPECT_THAT(text, HasSubstr("\nbilliards_commit_seconds_sum 0.033\n"));

@@ -180,9 +180,9 @@ TEST(ThreadedCommitter, MeasuresEveryTransaction) {
     const auto measured = busy.game.measurements();
     ASSERT_EQ(measured.size(), 4U);
     EXPECT_EQ(measured[1].submissions, 2U);
-    EXPECT_TRUE(measured[1].failed);
-    EXPECT_FALSE(measured[2].failed);
-    EXPECT_TRUE(measured[3].failed);
+    EXPECT_TRUE(measured[1].error);
+    EXPECT_FALSE(measured[2].error);
+    EXPECT_TRUE(measured[3].error);
     EXPECT_GE(busy.game.results[2].took, measured[3].took);
 }
 
