@@ -3,8 +3,10 @@
 #include "client/net/link.h"
 
 #include "client/net/clock.h"
+#include "client/net/frame_buffer.h"
 #include "common/protocol/codec.h"
 #include "common/protocol/framing.h"
+#include "common/protocol/limits.h"
 
 #include <algorithm>
 #include <asio/awaitable.hpp>
@@ -19,7 +21,6 @@
 #include <asio/steady_timer.hpp>
 #include <asio/use_awaitable.hpp>
 #include <asio/write.hpp>
-#include <cstring>
 #include <fmt/format.h>
 #include <optional>
 #include <span>
@@ -32,7 +33,6 @@ namespace {
 
 using asio::ip::tcp;
 
-constexpr std::size_t kReadBufferBytes = 4096;  ///< Grows while a longer frame is read.
 constexpr int kEarlyPings = 3;
 constexpr base::Duration kEarlyPingInterval = std::chrono::seconds(1);
 
@@ -47,7 +47,7 @@ Lost connect_failure(const asio::error_code& error, const ServerAddress& address
 
 Lost preamble_failure(const protocol::FramingError& error, const ServerAddress& address) {
     if (error.code == protocol::FramingErrorCode::OtherVersion) {
-        return {LostCode::OtherVersion, error.detail};
+        return {LostCode::OtherVersion, "another version of the protocol: " + error.detail};
     }
     return {LostCode::NotAServer, fmt::format("{} is not a gl-billiards server", to_text(address))};
 }
@@ -122,8 +122,7 @@ class Link::Connection : public std::enable_shared_from_this<Connection> {
     bool is_keeping_alive_ = false;
     int pings_sent_ = 0;
     base::Instant heard_at_{};
-    std::vector<std::byte> read_buffer_;
-    std::size_t read_bytes_ = 0;      ///< How much of the buffer is filled.
+    FrameBuffer frames_{protocol::kMaxServerFrameBytes};
     std::vector<Waiting> waiting_;    ///< To be written.
     std::vector<Waiting> in_flight_;  ///< Being written.
     std::size_t waiting_bytes_ = 0;   ///< Of both.
@@ -197,7 +196,6 @@ asio::awaitable<std::optional<Lost>> Link::Connection::exchange_preambles() {
 }
 
 asio::awaitable<Lost> Link::Connection::read_frames() {
-    read_buffer_.resize(kReadBufferBytes);
     while (true) {
         asio::error_code error;
         auto token = asio::redirect_error(asio::use_awaitable, error);
@@ -207,43 +205,29 @@ asio::awaitable<Lost> Link::Connection::read_frames() {
             if (is_over_) co_return Lost{};
             continue;
         }
-        const auto free = asio::buffer(read_buffer_) + read_bytes_;
-        read_bytes_ += co_await socket_.async_read_some(free, token);
-        if (error) {
-            co_return Lost{LostCode::Closed, "the server closed the connection"};
-        }
+        const std::span<std::byte> room = frames_.room();
+        frames_.add(
+            co_await socket_.async_read_some(asio::buffer(room.data(), room.size()), token));
+        if (error) co_return Lost{LostCode::Closed, "the server closed the connection"};
         heard_at_ = local_now();
         const std::optional<Lost> failure = take_frames();
         if (failure) co_return *failure;
     }
 }
 
-/// Takes every whole frame out of the buffer, and makes room for the rest of the next one.
+/// Every whole frame that was read.
 std::optional<Lost> Link::Connection::take_frames() {
-    std::size_t taken = 0;
-    std::size_t needed = protocol::kFrameHeaderBytes;
-    while (read_bytes_ - taken >= protocol::kFrameHeaderBytes) {
-        const std::span<const std::byte> rest =
-            std::span<const std::byte>(read_buffer_).subspan(taken, read_bytes_ - taken);
-        const auto length = protocol::decode_frame_header(rest.first<protocol::kFrameHeaderBytes>(),
-                                                          protocol::kMaxServerFrameBytes);
-        if (!length) {
-            return Lost{LostCode::Malformed, "the server sent a frame of an impossible length"};
+    while (!is_over_) {
+        const auto frame = frames_.next();
+        if (!frame) {
+            return Lost{LostCode::Malformed,
+                        "the server sent a frame of an impossible length: " + frame.error().detail};
         }
-        needed = protocol::kFrameHeaderBytes + *length;
-        if (rest.size() < needed) break;
-        const std::optional<Lost> failure =
-            take_frame(rest.subspan(protocol::kFrameHeaderBytes, *length));
+        if (!*frame) return std::nullopt;
+        const std::optional<Lost> failure = take_frame(**frame);
         if (failure) return failure;
-        if (is_over_) return Lost{};
-        taken += needed;
-        needed = protocol::kFrameHeaderBytes;
     }
-    std::memmove(read_buffer_.data(), read_buffer_.data() + taken, read_bytes_ - taken);
-    read_bytes_ -= taken;
-    read_buffer_.resize(std::max({needed, read_bytes_ + 1, kReadBufferBytes}));
-    if (read_buffer_.size() == kReadBufferBytes) read_buffer_.shrink_to_fit();
-    return std::nullopt;
+    return Lost{};
 }
 
 std::optional<Lost> Link::Connection::take_frame(std::span<const std::byte> frame) {
