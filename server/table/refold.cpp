@@ -63,6 +63,7 @@ base::Result<protocol::server::ShotPlayed, std::string> shot_played(const ShotFo
     CHECK(command != nullptr);
     if (!entry->record || !entry->verdict) return at_entry(stored, "a shot without its outcome");
     protocol::server::ShotPlayed played;
+    played.sequence = stored.sequence;
     played.seat = entry->seat;
     played.shot_id = entry->shot_id;
     played.shot = command->shot;

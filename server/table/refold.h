@@ -17,7 +17,8 @@ namespace billiards::server {
 struct Refolded {
     match::MatchState state;
     std::uint64_t entries = 0;
-    /// Each seat's last shot, so that its repeat is answered; its sequence and times are not set.
+    /// Each seat's last shot, so that its repeat is answered; its sequence is its entry's, its
+    /// times are not set.
     model::PerSeat<std::optional<protocol::server::ShotPlayed>> last_shots;
 };
 

@@ -205,13 +205,12 @@ void Table::undo_step(base::Instant now, const Step& step) {
 void Table::restore(base::Instant now, const StoredMatch& stored, const Refolded& refolded,
                     const model::PerSeat<std::string>& names) {
     match_ = Match{.id = stored.match, .state = refolded.state, .entries = refolded.entries};
-    sequence_ = refolded.entries;
+    sequence_ = refolded.entries;  // Above that of every shot which may be shown again.
     clock_.open(now, time_allowed());
     for (const Seat seat : kSeats) {
         seating_.reserve(seat, stored.players[seat], names[seat]);
         if (!refolded.last_shots[seat]) continue;
         protocol::server::ShotPlayed played = *refolded.last_shots[seat];
-        played.sequence = sequence_;
         played.struck_us = wire_time(now - base::duration_of(played.record.duration_s));
         played.turn = clock_.view();
         played.after.seed = 0;

@@ -36,6 +36,11 @@ class RecordingOutbox final : public Outbox {
 
     bool is_closed(SessionId session) const { return closed_.contains(session); }
     const std::vector<Told>& told(SessionId session) { return told_[session]; }
+    /// Calls visit(const std::vector<Told>&) once a session.
+    template <class Visit>
+    void for_each_session(Visit visit) const {
+        for (const auto& [session, all_told] : told_) visit(all_told);
+    }
     /// Forgets what was told so far.
     void clear() { told_.clear(); }
 
