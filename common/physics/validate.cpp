@@ -114,7 +114,10 @@ Fault fixed_fault(const TableShape& shape, const BallStart& ball) {
 
 Fault place_fault(const TableShape& shape, const BallStart& ball) {
     const Vec2 position = base::horizontal(ball.position_m);
-    if (shape.has_edge && !shape.edge.contains(position)) {
+    // Cushions in one line, as experiments have them, enclose nothing that one could be outside of.
+    const Vec2 extent = shape.cushions.high - shape.cushions.low;
+    const bool has_inside = extent.x != 0.0 && extent.y != 0.0;
+    if (shape.has_edge && has_inside && !shape.edge.contains(position)) {
         return Error{ErrorCode::OutsideTable, name_of(ball.ball)};
     }
     if (ball.position_m.z < ball.spec.radius_m - kMostOverlap_m) {
