@@ -11,7 +11,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace billiards::protocol {
@@ -106,6 +108,7 @@ void write(wire::ShotRecord::Builder out, const timeline::Timeline& timeline,
         const timeline::BallTrack& track = timeline.tracks[i];
         tracks[i].setBall(track.ball.number);
         tracks[i].setRadiusM(track.radius_m);
+        CHECK(track.segments.size() < kMaxTimes);
         tracks[i].setSegments(static_cast<std::uint16_t>(track.segments.size()));
     }
     const Columns columns = columns_of(timeline, times);
