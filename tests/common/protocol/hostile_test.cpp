@@ -105,19 +105,35 @@ TEST(HostileFrame, ThatClaimsAnEnormousListOfNothingIsRefused) {
     }
 }
 
-TEST(HostileFrame, ThatPointsAtItsPartsAgainAndAgainIsRefused) {
-    // 1,000 rows of one pointer each, the name: all to the same 20 words of text.
-    constexpr std::uint64_t kRows = 1000;
-    constexpr std::uint64_t kTextBytes = 160;
+/// A list whose rows all have one and the same name and settings, sent once.
+std::vector<std::byte> rows_that_share(std::uint64_t rows) {
+    std::string name;
+    for (std::size_t i = 0; i < kMaxTableNameLength; ++i) name += "🎱";
+    const std::uint64_t name_bytes = name.size() + 1;
+    const Words settings{0, std::uint64_t{1} << 32U, 0, 0};  // A race to 1.
     Words words{kRootOfAServerMessage, kTableListKind, kTableListOfOnePointer,
-                1U | 7ULL << 32U | kRows << 35U, kRows << 2U | 1ULL << 48U};
-    for (std::uint64_t row = 0; row < kRows; ++row) {
-        const std::uint64_t offset = kRows - row - 1;
-        words.push_back(1U | offset << 2U | 2ULL << 32U | kTextBytes << 35U);
+                1U | 7ULL << 32U | 2 * rows << 35U, rows << 2U | 2ULL << 48U};
+    for (std::uint64_t row = 0; row < rows; ++row) {
+        const std::uint64_t to_settings = 2 * (rows - row - 1);
+        const std::uint64_t to_name = to_settings + 1 + settings.size();
+        words.push_back(1U | to_name << 2U | 2ULL << 32U | name_bytes << 35U);
+        words.push_back(to_settings << 2U | settings.size() << 32U);
     }
-    for (std::uint64_t i = 0; i < kTextBytes / 8; ++i) words.push_back(0);
-    const auto decoded = decode_server(message_of(words));
-    ASSERT_FALSE(decoded.ok());
+    words.insert(words.end(), settings.begin(), settings.end());
+    const std::size_t text_at = words.size();
+    words.resize(text_at + (name_bytes + 7) / 8);
+    std::memcpy(&words[text_at], name.data(), name.size());
+    return message_of(words);
+}
+
+TEST(HostileFrame, MayShareAPartButNotWithoutEnd) {
+    const auto three = decode_server(rows_that_share(3));
+    ASSERT_TRUE(three.ok()) << three.error().detail;
+    EXPECT_EQ(std::get<server::TableList>(*three).tables[2].settings.race_to, 1);
+    const auto thousand = decode_server(rows_that_share(kMaxTableRows));
+    ASSERT_FALSE(thousand.ok());
+    EXPECT_EQ(thousand.error().code, DecodeErrorCode::Malformed);
+    EXPECT_NE(thousand.error().detail.find("traversal limit"), std::string::npos);
 }
 
 // ---- Values beyond their limits
