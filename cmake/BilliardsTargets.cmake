@@ -17,6 +17,9 @@ endif()
 # Asio, standalone and header-only; Debian ships it without a package file for CMake.
 add_library(billiards_asio INTERFACE)
 target_compile_definitions(billiards_asio INTERFACE ASIO_STANDALONE ASIO_NO_DEPRECATED)
+# Asio 1.22 takes aligned_alloc or operator new by whether a standard header came before it, so two
+# files would disagree about how one block is freed.
+target_compile_definitions(billiards_asio INTERFACE ASIO_DISABLE_STD_ALIGNED_ALLOC)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 15)
   # clang-14 has coroutines, but does not say so in the way Asio 1.22 asks.
   target_compile_definitions(
