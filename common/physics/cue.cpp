@@ -11,19 +11,13 @@ namespace {
 
 using base::Vec3;
 
+/// The angle alpha by which the ball leaves away from the offset:
 /// tan(alpha) = (5/2) a sqrt(1 - a^2) / (1 + m / m_end + (5/2) (1 - a^2)): TP A-31. a = tip offset
 /// to the left in radii, m = ball mass, m_end = the cue's effective end mass.
-double squirt_tangent(const Parameters& parameters, double a) {
+double squirt_rad(const Parameters& parameters, double a) {
     const double depth_squared = 1.0 - a * a;
-    return 2.5 * a * std::sqrt(depth_squared) /
-           (1.0 + 1.0 / parameters.cue_end_mass_ratio + 2.5 * depth_squared);
-}
-
-/// Turns the horizontal part of v clockwise by the angle of this tangent.
-Vec3 turned_clockwise(const Vec3& v, double tangent) {
-    const double cosine = 1.0 / std::sqrt(1.0 + tangent * tangent);
-    const double sine = tangent * cosine;
-    return {v.x * cosine + v.y * sine, v.y * cosine - v.x * sine, v.z};
+    return base::arc_tangent(2.5 * a * std::sqrt(depth_squared),
+                             1.0 + 1.0 / parameters.cue_end_mass_ratio + 2.5 * depth_squared);
 }
 
 }  // namespace
@@ -52,12 +46,10 @@ Strike strike(const Parameters& parameters, const model::BallSpec& ball, const m
 
     const double speed =
         2.0 * cue_speed_mps / (1.0 + ball.mass_kg / parameters.cue_mass_kg + 2.5 * (a * a + b * b));
-    Strike result{.velocity_mps = speed * d,
-                  .spin_radps = (2.5 * speed / ball.radius_m) * glm::cross(a * l + b * n, d)};
-    if (squirt) {
-        result.velocity_mps = turned_clockwise(result.velocity_mps, squirt_tangent(parameters, a));
-    }
-    return result;
+    const double heading = shot.angle_rad - (squirt ? squirt_rad(parameters, a) : 0.0);
+    const Vec3 leaving{base::cosine(heading) * level, base::sine(heading) * level, -down};
+    return {.velocity_mps = speed * leaving,
+            .spin_radps = (2.5 * speed / ball.radius_m) * glm::cross(a * l + b * n, d)};
 }
 
 }  // namespace billiards::physics

@@ -41,7 +41,6 @@ class Lookout {
   public:
     Lookout(const TableShape& shape, const Mover& mover, double now_s)
         : shape_(shape),
-          mover_(mover),
           now_s_(now_s),
           course_(course_at(mover.plan.segment, now_s)),
           radius_(mover.spec.radius_m),
@@ -100,8 +99,7 @@ class Lookout {
             .velocity_mps = {across(course_.velocity_mps), 0.0, course_.velocity_mps.z},
             .acceleration_mps2 = {across(course_.acceleration_mps2), 0.0,
                                   course_.acceleration_mps2.z}};
-        const double time = meeting_s(from_nose, radius_, horizon_s());
-        return time;
+        return meeting_s(from_nose, radius_, horizon_s());
     }
 
     Course from(const Vec2& center) const {
@@ -147,7 +145,6 @@ class Lookout {
     }
 
     const TableShape& shape_;
-    const Mover& mover_;
     double now_s_;
     Course course_;
     double radius_;
