@@ -1,23 +1,13 @@
-// Holds the network against clients that are good, silent, slow, wrong, or too many, over real
-// sockets on this machine.
+// Holds the network against clients that are good, silent, slow or wrong, over real sockets on this
+// machine.
 #include "server/net/network.h"
 
-#include "tests/server/net/raw_client.h"
-#include "tests/server/net/recorded_events.h"
+#include "tests/server/net/running_network.h"
 
-#include <asio/executor_work_guard.hpp>
-#include <asio/post.hpp>
-#include <asio/use_future.hpp>
-#include <future>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-#include <spdlog/sinks/ostream_sink.h>
-#include <sstream>
 #include <string>
-#include <sys/resource.h>
-#include <thread>
-#include <unistd.h>
 
 namespace billiards::server {
 namespace {
@@ -26,90 +16,6 @@ using namespace std::chrono_literals;
 using protocol::server::Refused;
 using testing::HasSubstr;
 using Kind = RecordedEvent::Kind;
-
-protocol::ClientMessage ping(std::uint32_t number) {
-    return {number, protocol::client::Ping{.client_time_us = number}};
-}
-
-protocol::SharedFrame frame_of(std::size_t bytes) {
-    return std::make_shared<const std::vector<std::byte>>(bytes, std::byte{0x5a});
-}
-
-/// A network with its thread, on a free port of this machine.
-class Running {
-  public:
-    explicit Running(const NetLimits& limits = {}) : network_(context_, limits, events, log_) {
-        port = network_.listen(*parse_endpoint("127.0.0.1:0")).port();
-        network_.start();
-        thread_ = std::thread([this] { context_.run(); });
-    }
-    ~Running() {
-        context_.stop();
-        thread_.join();
-    }
-
-    void carry_out(std::vector<Outgoing> batch) {
-        asio::post(context_, [this, batch = std::move(batch)] { network_.carry_out(batch); });
-    }
-    NetStats stats() {
-        return asio::post(context_, asio::use_future([this] { return network_.stats(); })).get();
-    }
-    std::future<void> stop() {
-        auto stopped = std::make_shared<std::promise<void>>();
-        asio::post(context_,
-                   [this, stopped] { network_.stop([stopped] { stopped->set_value(); }); });
-        return stopped->get_future();
-    }
-    std::string log_text() {
-        return asio::post(context_, asio::use_future([this] { return log_out_.str(); })).get();
-    }
-
-    RecordedEvents events;
-    std::uint16_t port = 0;
-
-  private:
-    std::ostringstream log_out_;
-    spdlog::logger log_{"test", std::make_shared<spdlog::sinks::ostream_sink_st>(log_out_)};
-    asio::io_context context_{1};
-    Network network_;
-    std::thread thread_;
-};
-
-/// Timeouts that a test can wait for.
-NetLimits impatient() {
-    NetLimits limits;
-    limits.greeting_timeout = 60ms;
-    limits.frame_timeout = 60ms;
-    limits.closing_timeout = 60ms;
-    limits.tick = 10ms;
-    return limits;
-}
-
-/// A client past its preamble and its first message, and the session that it is.
-struct Greeted {
-    explicit Greeted(Running& running, std::optional<int> receive_buffer_bytes = {})
-        : client(running.port, receive_buffer_bytes) {
-        const std::size_t before = running.events.count(Kind::Received);
-        client.send_preamble();
-        client.send(ping(0));
-        EXPECT_TRUE(client.receive_preamble());
-        const auto first = running.events.wait_for(Kind::Received, before + 1);
-        EXPECT_TRUE(first);
-        if (first) session = first->session;
-        running.carry_out({{session, Outgoing::Kind::Handled, nullptr}});
-    }
-
-    RawClient client;
-    SessionId session;
-};
-
-void expect_refused(RawClient& client, protocol::RefusedCode code, const std::string& detail) {
-    const auto refused = client.receive_next<Refused>();
-    ASSERT_TRUE(refused);
-    EXPECT_EQ(refused->code, code);
-    EXPECT_THAT(refused->detail, HasSubstr(detail));
-    EXPECT_TRUE(client.is_closed_by_other_side());
-}
 
 TEST(Network, SendsItsPreambleToAClientThatHasSaidNothing) {
     Running running;
@@ -377,101 +283,6 @@ TEST(Network, ReadsOnlySoManyMessagesATick) {
     EXPECT_TRUE(running.events.wait_for(Kind::Received, 12));
     EXPECT_GE(std::chrono::steady_clock::now() - start, 2 * limits.tick);
 }
-
-TEST(Network, TurnsAwayInWordsWhoIsOverTheLimitAndTakesTheNextOneInItsPlace) {
-    NetLimits limits;
-    limits.connections = 1;
-    Running running(limits);
-    {
-        Greeted first(running);
-        RawClient second(running.port);
-        EXPECT_TRUE(second.receive_preamble());
-        expect_refused(second, protocol::RefusedCode::TooMany, "too many connections");
-        EXPECT_EQ(running.stats().turned_away, 1U);
-    }
-    ASSERT_TRUE(running.events.wait_for(Kind::Disconnected));
-    Greeted third(running);
-    EXPECT_EQ(running.stats().accepted, 2U);
-}
-
-TEST(Network, SaysWhichAddressIsInUse) {
-    Running running;
-    asio::io_context context;
-    RecordedEvents events;
-    spdlog::logger log("test");
-    Network second(context, {}, events, log);
-    const Endpoint taken(asio::ip::address_v4::loopback(), running.port);
-    try {
-        second.listen(taken);
-        FAIL() << "listens twice";
-    } catch (const std::runtime_error& error) {
-        EXPECT_THAT(error.what(), HasSubstr(to_text(taken)));
-        EXPECT_THAT(error.what(), HasSubstr("already in use"));
-    }
-}
-
-TEST(Network, ListensWithIPv6WhereIPv4HasTheSamePort) {
-    Running running;
-    asio::io_context context;
-    RecordedEvents events;
-    spdlog::logger log("test");
-    Network second(context, {}, events, log);
-    try {
-        second.listen(*parse_endpoint("[::1]:0"));
-    } catch (const std::runtime_error&) {
-        GTEST_SKIP() << "this machine has no IPv6";
-    }
-    const Endpoint same_port(asio::ip::address_v6::any(), running.port);
-    EXPECT_EQ(second.listen(same_port), same_port);
-}
-
-TEST(Network, SaysWhichAddressIsNotThisMachines) {
-    asio::io_context context;
-    RecordedEvents events;
-    spdlog::logger log("test");
-    Network network(context, {}, events, log);
-    try {
-        network.listen(*parse_endpoint("192.0.2.1:0"));  // Of documentation: RFC 5737.
-        FAIL() << "listens on an address of documentation";
-    } catch (const std::runtime_error& error) {
-        EXPECT_THAT(error.what(), HasSubstr("192.0.2.1:0"));
-        EXPECT_THAT(error.what(), HasSubstr("assign"));
-    }
-}
-
-/// Leaves this process one descriptor to open, for as long as it lives.
-class OneMoreDescriptor {
-  public:
-    OneMoreDescriptor() {
-        ::getrlimit(RLIMIT_NOFILE, &before_);
-        const int lowest_free = ::dup(0);
-        ::close(lowest_free);
-        rlimit few = before_;
-        few.rlim_cur = static_cast<rlim_t>(lowest_free) + 1;
-        ::setrlimit(RLIMIT_NOFILE, &few);
-    }
-    ~OneMoreDescriptor() { ::setrlimit(RLIMIT_NOFILE, &before_); }
-    OneMoreDescriptor(const OneMoreDescriptor&) = delete;
-    OneMoreDescriptor& operator=(const OneMoreDescriptor&) = delete;
-
-  private:
-    rlimit before_{};
-};
-
-TEST(Network, TakesClientsInOnceThereAreDescriptorsAgain) {
-    NetLimits limits;
-    limits.pause_when_out_of_sockets = 5ms;
-    Running running(limits);
-    std::optional<OneMoreDescriptor> shortage(std::in_place);
-    RawClient client(running.port);  // Has the last descriptor, so the server cannot accept it.
-    const auto end = std::chrono::steady_clock::now() + 5s;
-    while (running.log_text().empty() && std::chrono::steady_clock::now() < end) {
-    }
-    EXPECT_THAT(running.log_text(), HasSubstr("cannot accept on 127.0.0.1"));
-    shortage.reset();
-    EXPECT_TRUE(client.receive_preamble());
-}
-
 TEST(Network, SendsEveryoneAwayBeforeItStops) {
     Running running;
     Greeted one(running);
