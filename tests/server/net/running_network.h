@@ -6,8 +6,8 @@
 #include "tests/server/net/recorded_events.h"
 
 #include <asio/post.hpp>
-#include <asio/use_future.hpp>
 #include <chrono>
+#include <functional>
 #include <future>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ class Running {
         asio::post(context_, [this, batch = std::move(batch)] { network_.carry_out(batch); });
     }
     NetStats stats() {
-        return asio::post(context_, asio::use_future([this] { return network_.stats(); })).get();
+        return ask<NetStats>([this] { return network_.stats(); });
     }
     std::future<void> stop() {
         auto stopped = std::make_shared<std::promise<void>>();
@@ -56,13 +56,21 @@ class Running {
         return stopped->get_future();
     }
     std::string log_text() {
-        return asio::post(context_, asio::use_future([this] { return log_out_.str(); })).get();
+        return ask<std::string>([this] { return log_out_.str(); });
     }
 
     RecordedEvents events;
     std::uint16_t port = 0;
 
   private:
+    /// On the network's thread.
+    template <class Answer>
+    Answer ask(std::function<Answer()> question) {
+        std::promise<Answer> answer;
+        asio::post(context_, [&] { answer.set_value(question()); });
+        return answer.get_future().get();
+    }
+
     std::ostringstream log_out_;
     spdlog::logger log_{"test", std::make_shared<spdlog::sinks::ostream_sink_st>(log_out_)};
     asio::io_context context_{1};
