@@ -67,7 +67,7 @@ class Demo {
     std::filesystem::path self_;
     TempFolder data_;
     asio::io_context io_{1};
-    asio::signal_set signals_{io_, SIGINT, SIGTERM, SIGHUP};
+    asio::signal_set signals_{io_};
     asio::steady_timer limit_{io_};
     std::array<Child, kPartNames.size()> children_;
     std::string address_;
@@ -77,6 +77,8 @@ class Demo {
 };
 
 int Demo::run() {
+    // SIGPIPE: nobody reads any more, as with `| head`.
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) signals_.add(signal);
     signals_.async_wait([this](const asio::error_code& error, int signal) {
         if (!error) finish(kSignalBase + signal);
     });

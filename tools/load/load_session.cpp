@@ -101,7 +101,7 @@ void LoadSession::on_place(protocol::TableId table) {
 
 void LoadSession::lost(const client::Lost& lost) {
     is_welcome_ = false;
-    if (player_) player_->set_link(client::LinkState::Lost);
+    if (player_) player_->link_lost();
     drop_.cancel();
     recorder_.error("link lost: " + lost.reason);
     const auto delay = reconnect_.lost(lost.code, client::local_now());
@@ -122,7 +122,7 @@ void LoadSession::drop_later() {
         if (error) return;
         link_.reset();
         is_welcome_ = false;
-        if (player_) player_->set_link(client::LinkState::Lost);
+        if (player_) player_->link_lost();
         connect_after(spread(random_, kShortestAbsence, kLongestAbsence));
     });
 }

@@ -72,6 +72,11 @@ void HeadlessPlayer::received(const protocol::ServerMessage& message, base::Inst
     plan(now);
 }
 
+void HeadlessPlayer::link_lost() {
+    state_.link = client::LinkState::Lost;
+    is_table_stale_ = true;
+}
+
 /// Before the message is folded in, so that a teller sees the table as it was.
 void HeadlessPlayer::tell(const protocol::ServerMessage& message) {
     if (std::holds_alternative<server::MatchStarted>(message)) digest_ = MatchDigest{};
@@ -160,6 +165,7 @@ void HeadlessPlayer::on_welcome(const server::Welcome& welcome) {
 void HeadlessPlayer::on_snapshot(const server::TableSnapshot& snapshot, base::Instant now) {
     entering_.reset();
     was_seated_ = true;
+    is_table_stale_ = false;
     options_.table = snapshot.row.table;  // To come back to.
     const bool is_shot_on_its_way =
         awaited_ && awaited_->is_shot && snapshot.match && snapshot.match->turn == awaited_->turn;
@@ -197,7 +203,7 @@ void HeadlessPlayer::on_refused(const server::Refused& refused, base::Instant no
         failure_ = fmt::format("{}: {}", what, refused.detail);
     };
     if (refused.code == protocol::RefusedCode::UnknownToken) cannot_go_on("the token is unknown");
-    if (refused.code == protocol::RefusedCode::BadName) cannot_go_on("the name is refused");
+    if (state_.name.empty()) cannot_go_on("the server refuses");
     if (entering_ && refused.in_reply_to == *entering_) cannot_go_on("no place at the table");
     if (!awaited_ || refused.in_reply_to != awaited_->request_id) return;
     awaited_.reset();
@@ -219,7 +225,7 @@ void HeadlessPlayer::get_ready_if_needed() {
 /// When to act, if it is this player's turn; the time to think is drawn once a turn.
 void HeadlessPlayer::plan(base::Instant now) {
     act_at_.reset();
-    if (is_finished() || awaited_ || !client::my_turn(state_)) {
+    if (is_finished() || is_table_stale_ || awaited_ || !client::my_turn(state_)) {
         aim_at_.reset();
         return;
     }

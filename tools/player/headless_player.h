@@ -52,7 +52,8 @@ class HeadlessPlayer {
     HeadlessPlayer(PlayerOptions options, PlayerEvents events, Send send);
 
     void received(const protocol::ServerMessage& message, base::Instant now);
-    void set_link(client::LinkState link) { state_.link = link; }
+    /// Until the server speaks again, nothing is said.
+    void link_lost();
 
     /// When advance_time should next be called; none: it waits for the server alone.
     std::optional<base::Instant> next_deadline() const;
@@ -96,6 +97,7 @@ class HeadlessPlayer {
 
     bool was_seated_ = false;
     bool was_playing_ = false;
+    bool is_table_stale_ = false;  ///< The link was lost, and no snapshot has come since.
     bool is_over_ = false;
     std::string failure_;
     std::optional<std::uint32_t> entering_;  ///< The request to open or join a table.

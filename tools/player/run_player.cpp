@@ -38,7 +38,7 @@ PlayedOut run_player(client::ServerLinkOptions link_options, PlayerOptions optio
             if (const auto* arrived = std::get_if<client::Arrived>(&*event)) {
                 player.received(arrived->message, arrived->at);
             } else if (const auto* lost = std::get_if<client::LinkLost>(&*event)) {
-                player.set_link(client::LinkState::Lost);
+                player.link_lost();
                 if (link_lost) link_lost(*lost);
                 if (!lost->retry_after) failure = lost->lost.reason;
             }

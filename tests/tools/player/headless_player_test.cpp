@@ -221,7 +221,7 @@ TEST(HeadlessPlayer, AShotThatIsOnItsWayIsNotDecidedASecondTime) {
     Played played = adas_turn();
     played.waits_until(kNow);
     ASSERT_EQ(played.said_of<asked::TakeShot>().size(), 1U);
-    played.player.set_link(client::LinkState::Lost);
+    played.player.link_lost();
     played.hears(told::welcome(kTable)).hears(at_turn(3, Seat::First));
     EXPECT_FALSE(played.player.next_deadline());
     played.hears(told::shot(2, told::match_at(4, Seat::First, 1)));
@@ -235,10 +235,26 @@ TEST(HeadlessPlayer, APlacementThatWasLostIsDecidedAnew) {
     snapshot.match->layout.balls[0].place = model::Place::InHand;
     for (int attempt = 0; attempt < 2; ++attempt) {
         played.hears(told::welcome(kTable)).hears(snapshot).waits_until(kNow + seconds(60));
-        played.player.set_link(client::LinkState::Lost);
+        played.player.link_lost();
         EXPECT_FALSE(played.player.next_deadline());
     }
     EXPECT_EQ(played.said_of<asked::PlaceCueBall>().size(), 2U);
+}
+
+TEST(HeadlessPlayer, WaitsForASnapshotBeforeItActsOnANewLink) {
+    Played played = adas_turn();
+    played.player.link_lost();
+    played.hears(told::welcome(kTable)).waits_until(kNow + seconds(60));
+    EXPECT_TRUE(played.said.empty());
+    played.hears(at_turn(4, Seat::First)).waits_until(kNow + seconds(60));
+    ASSERT_EQ(played.said.size(), 1U);
+    EXPECT_EQ(played.said_of<asked::TakeShot>().at(0).turn, model::TurnNumber{4});
+}
+
+TEST(HeadlessPlayer, CannotGoOnWhereItsGreetingIsRefused) {
+    Played played;
+    played.hears(told::refused(protocol::RefusedCode::BadName, 0));
+    EXPECT_TRUE(played.player.failure().starts_with("the server refuses"));
 }
 
 TEST(HeadlessPlayer, StartedOverWithTheSameSeedItShootsUnderTheSameId) {
