@@ -9,10 +9,10 @@
 #include "common/protocol/codec_journal.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <vector>
 
 namespace billiards::tools {
@@ -122,12 +122,11 @@ Json wire_bytes(BenchCase bench_case) {
 }  // namespace
 
 Json bench(BenchCase bench_case, double seconds) {
-    using Clock = std::chrono::steady_clock;
     Shots shots(bench_case);
     base::Hasher digest;
     std::vector<std::size_t> events;
     double total_events = 0.0;
-    const Clock::time_point start = Clock::now();
+    const std::clock_t start = std::clock();
     double elapsed_s = 0.0;
     while (elapsed_s < seconds || events.size() < kDigestedShots) {
         const Position position = shots.next();
@@ -137,7 +136,7 @@ Json bench(BenchCase bench_case, double seconds) {
         if (events.size() < kDigestedShots) digest.add(record->hash);
         events.push_back(record->events.size());
         total_events += static_cast<double>(record->events.size());
-        elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
+        elapsed_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     }
     const auto count = static_cast<double>(events.size());
     char digest_text[17];

@@ -14,8 +14,9 @@ enum class BenchCase : std::uint8_t {
 };
 
 /// `billiards-sim bench`: solves shots, every one different, by one fixed seed, until the time is
-/// over, 1,000 at least. The digest is over the hashes of those first 1,000, so that it does not
-/// depend on the machine's speed.
+/// over, 1,000 at least. Time is the processor's, so that a busy machine does not slow it. The
+/// digest is over the hashes of those first 1,000, so that it does not depend on the machine's
+/// speed.
 Json bench(BenchCase bench_case, double seconds);
 
 }  // namespace billiards::tools
