@@ -66,9 +66,9 @@ class Running {
     /// On the network's thread.
     template <class Answer>
     Answer ask(std::function<Answer()> question) {
-        std::promise<Answer> answer;
-        asio::post(context_, [&] { answer.set_value(question()); });
-        return answer.get_future().get();
+        auto answer = std::make_shared<std::promise<Answer>>();
+        asio::post(context_, [answer, question] { answer->set_value(question()); });
+        return answer->get_future().get();
     }
 
     std::ostringstream log_out_;
