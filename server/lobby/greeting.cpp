@@ -135,8 +135,7 @@ void Lobby::World::welcome(base::Instant now, Session& session, Player& player,
 
 /// The first message after Welcome says that the new token arrived: the previous one dies.
 void Lobby::World::confirm_token(Session& session) {
-    if (session.token_confirmed || session.phase <= Phase::Entering) return;
-    session.token_confirmed = true;
+    if (session.phase <= Phase::Entering) return;
     Player* player = players.find(*session.player);
     if (!players.confirm(*player)) return;
     around.committer.submit({SavePlayer{player->stored}}, [this](const Committed& committed) {

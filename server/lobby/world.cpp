@@ -66,10 +66,7 @@ void Lobby::World::forget(base::Instant now, Session& session) {
         table_of(*session.table)->lose(now, session.id);
         refresh_deadline(*session.table);
     }
-    if (session.player) {
-        Player* player = players.find(*session.player);
-        if (player->session == session.id) player->session.reset();
-    }
+    if (session.player) players.find(*session.player)->session.reset();
     session_deadlines.set(session.id, std::nullopt);
     sessions.erase(session.id);
 }

@@ -27,7 +27,6 @@ struct Session {
     base::Instant heard;  ///< When its last message came; while Greeting: when it connected.
     std::optional<PlayerId> player;          ///< From Entering on.
     std::optional<protocol::TableId> table;  ///< Exactly while Watching or Seated.
-    bool token_confirmed = false;            ///< A message came after Welcome.
     int illegal_messages = 0;
     RateLimit lobby_requests;
     RateLimit chat;

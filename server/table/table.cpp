@@ -198,7 +198,7 @@ std::optional<base::Instant> Table::next_deadline() const {
     if (is_pending()) return next;
     if (deserted_since_) consider(*deserted_since_ + around_.limits.empty_table_kept);
     if (clock_.is_waiting()) consider(clock_.opens());
-    if (clock_.deadline()) consider(*clock_.deadline() + around_.limits.shot_grace);
+    if (const auto out = clock_runs_out()) consider(*out);
     return next;
 }
 
@@ -206,13 +206,14 @@ void Table::advance(base::Instant now) {
     if (announce_spectators_at_ && *announce_spectators_at_ <= now) announce_seats();
     if (is_pending()) return;
     if (clock_.is_waiting() && clock_.opens() <= now) open_turn(now);
-    if (has_clock_run_out(now)) {
+    if (const auto out = clock_runs_out(); out && *out <= now) {
         run(now, {.asker = {}, .seats = {}, .what = {match::Timeout{match_->state.turn}}});
     }
 }
 
-bool Table::has_clock_run_out(base::Instant now) const {
-    return clock_.deadline() && *clock_.deadline() + around_.limits.shot_grace <= now;
+std::optional<base::Instant> Table::clock_runs_out() const {
+    if (!clock_.deadline()) return std::nullopt;
+    return *clock_.deadline() + around_.limits.shot_grace;
 }
 
 bool Table::is_abandoned(base::Instant now) const {

@@ -122,7 +122,7 @@ class Table {
     void spectators_changed(base::Instant now);
     void open_turn(base::Instant now);
     void open_turn_if_all_have_seen(base::Instant now);
-    bool has_clock_run_out(base::Instant now) const;
+    std::optional<base::Instant> clock_runs_out() const;
 
     // table_steps.cpp: commands, the journal, and what follows when the disk has answered
     void run(base::Instant now, const Request& request);

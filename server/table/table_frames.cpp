@@ -14,12 +14,6 @@ namespace {
 
 namespace say = protocol::server;
 
-/// The seed would tell the racks to come.
-match::MatchState shown(match::MatchState state) {
-    state.seed = 0;
-    return state;
-}
-
 std::uint32_t wire_duration_us(base::Duration duration) {
     constexpr auto kMost = std::chrono::microseconds(std::numeric_limits<std::uint32_t>::max());
     return static_cast<std::uint32_t>(
@@ -48,7 +42,7 @@ void Table::send_snapshot(base::Instant now, SessionId to) {
                                 .rolling = {},
                                 .turn = clock_.view(),
                                 .server_time_us = wire_time(now)};
-    if (match_) snapshot.match = shown(match_->state);
+    if (match_) snapshot.match = match_->state;
     if (rolling_ && now < rolling_->rests) snapshot.rolling = rolling_->played;
     around_.outbox.deliver(to, protocol::encode(std::move(snapshot)), Delivery::Ordered);
 }
@@ -69,8 +63,8 @@ void Table::announce_turn(std::optional<SessionId> except) {
 }
 
 void Table::announce_start() {
-    broadcast(say::MatchStarted{
-        .sequence = ++sequence_, .state = shown(match_->state), .turn = clock_.view()});
+    broadcast(
+        say::MatchStarted{.sequence = ++sequence_, .state = match_->state, .turn = clock_.view()});
 }
 
 void Table::announce_placement(const Step& step) {
@@ -90,7 +84,7 @@ void Table::announce_shot(base::Instant struck, Step step, const Committed& comm
                            .call = command.call,
                            .record = std::move(*step.entry.record),
                            .verdict = std::move(*step.entry.verdict),
-                           .after = shown(std::move(step.next)),
+                           .after = std::move(step.next),
                            .turn = clock_.view(),
                            .commit_us = wire_duration_us(committed.took)};
     const protocol::SharedFrame frame = protocol::encode(played);
@@ -104,7 +98,7 @@ void Table::announce_move(Step step) {
                           .seat = step.entry.seat,
                           .choice = {},
                           .verdict = std::move(step.entry.verdict),
-                          .after = shown(std::move(step.next)),
+                          .after = std::move(step.next),
                           .turn = clock_.view()};
     if (const auto* choose = std::get_if<match::Choose>(&step.entry.command)) {
         moved.choice = choose->choice;

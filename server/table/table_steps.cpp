@@ -213,7 +213,6 @@ void Table::restore(base::Instant now, const StoredMatch& stored, const Refolded
         protocol::server::ShotPlayed played = *refolded.last_shots[seat];
         played.struck_us = wire_time(now - base::duration_of(played.record.duration_s));
         played.turn = clock_.view();
-        played.after.seed = 0;
         match_->last_shots[seat] = {played.shot_id, protocol::encode(played)};
     }
 }

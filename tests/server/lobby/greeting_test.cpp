@@ -193,6 +193,13 @@ TEST_F(GreetingTest, ClosesWhoDoesNotSayHelloInTime) {
     EXPECT_EQ(lobby->next_deadline(), std::nullopt);
 }
 
+TEST_F(GreetingTest, WaitsForNothingOnceEverybodyIsGone) {
+    disconnect(connect());
+    disconnect(greet("Ada"));
+    EXPECT_EQ(lobby->next_deadline(), std::nullopt);
+    EXPECT_EQ(lobby->stats().sessions, 0U);
+}
+
 TEST_F(GreetingTest, DoesNotProlongTheGreetingByRefusedMessages) {
     const SessionId session = connect();
     pass(4s);

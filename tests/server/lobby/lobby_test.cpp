@@ -117,6 +117,7 @@ TEST_F(LobbyTest, KeepsASessionAtOneTable) {
 
 TEST_F(LobbyTest, BringsWhoLeavesBackToTheLobbyWithTheListOfTables) {
     seat_players();
+    say(linus, client::ListTables{});
     say(grace, client::Leave{});
     ASSERT_EQ(last<told::TableList>(grace).tables.size(), 1U);
     EXPECT_FALSE(last<told::TableList>(grace).tables[0].seats[model::Seat::Second].taken);
@@ -147,6 +148,28 @@ TEST_F(LobbyTest, CountsSpectatorsOnceASecondHoweverManyCome) {
     EXPECT_EQ(count<told::SeatChanged>(ada), 1U);
 }
 
+TEST_F(LobbyTest, CountsSpectatorsInTimeThoughMoreKeepComing) {
+    seat_players();
+    pass(2s);
+    outbox.clear();
+    for (int i = 0; i < 3; ++i) {
+        say(greet("Fan"), client::Join{table, Role::Spectator});
+        pass(limits.spectator_count_every / 2);
+    }
+    EXPECT_EQ(count<told::SeatChanged>(ada), 1U);
+}
+
+TEST_F(LobbyTest, GivesNewcomersTheSnapshotFirstAndNothingTwice) {
+    seat_players();
+    for (const SessionId session : {ada, grace, linus}) {
+        const auto& all_told = outbox.told(session);
+        ASSERT_GE(all_told.size(), 2U);
+        EXPECT_TRUE(std::holds_alternative<told::Welcome>(all_told[0].message));
+        EXPECT_TRUE(std::holds_alternative<told::TableSnapshot>(all_told[1].message));
+    }
+    EXPECT_EQ(count<told::SeatChanged>(grace), 0U);
+}
+
 TEST_F(LobbyTest, RefusesTablesBeyondTheLimit) {
     limits.max_tables = 1;
     start();
@@ -175,6 +198,37 @@ TEST_F(LobbyTest, LeavesATableToThoseWhoStillSitAtIt) {
     say(ada, client::Leave{});
     open_table(ada);
     EXPECT_EQ(lobby->stats().tables, 2U);
+}
+
+TEST_F(LobbyTest, LeavesATableToAMatchWhosePlayersAreAway) {
+    const SessionId opener = greet("Opener");
+    table = open_table(opener);
+    say(opener, client::Leave{});
+    ada = greet("Ada");
+    grace = greet("Grace");
+    for (const SessionId session : {ada, grace}) {
+        say(session, client::Join{table, Role::Player});
+        say(session, client::Ready{});
+    }
+    disconnect(ada);
+    disconnect(grace);
+    open_table(opener);
+    EXPECT_EQ(lobby->stats().tables, 2U);
+    EXPECT_EQ(lobby->stats().matches_running, 1U);
+}
+
+TEST_F(LobbyTest, ListsAClosedTableNoMore) {
+    limits.empty_table_kept = 1s;
+    start();
+    const SessionId session = greet("Ada");
+    open_table(session);
+    say(session, client::Leave{});
+    pass(1s - limits.table_list_kept / 2);
+    say(session, client::ListTables{});
+    EXPECT_EQ(last<told::TableList>(session).tables.size(), 1U);
+    pass(limits.table_list_kept / 2);
+    say(session, client::ListTables{});
+    EXPECT_TRUE(last<told::TableList>(session).tables.empty());
 }
 
 TEST_F(LobbyTest, TidiesATableAtWhichNobodyPlaysAfterAWhile) {

@@ -62,6 +62,21 @@ TEST_F(DurabilityTest, KeepsTheSeatOfWhoIsLostWhileTheMatchIsBeingStored) {
     EXPECT_EQ(count<told::MatchStarted>(ada), 1U);
 }
 
+TEST_F(DurabilityTest, StartsAMatchOnceThoughAPlayerComesBackReadyMeanwhile) {
+    seat_players();
+    say(ada, client::Ready{});
+    disk_is_slow = true;
+    say(grace, client::Ready{});
+    disconnect(grace);
+    const SessionId back = come_back(token_of(grace));
+    ASSERT_EQ(committer.waiting(), 2U);  // The match, then the token.
+    say(ada, client::Ready{});
+    EXPECT_EQ(refusal(ada), RefusedCode::MatchRunning);
+    committer.complete_all();
+    EXPECT_EQ(last<told::TableSnapshot>(back).match, last<told::MatchStarted>(ada).state);
+    EXPECT_EQ(committer.durable().matches.size(), 1U);
+}
+
 TEST_F(DurabilityTest, ShowsAShotOnlyOnceItIsDurable) {
     start_match();
     place_cue_ball();

@@ -98,6 +98,16 @@ TEST_F(PlayTest, DoesNotWaitForThePlayerWhoIsAwayToSeeTheShot) {
     EXPECT_EQ(count<told::TurnOpened>(ada), 1U);
 }
 
+TEST_F(PlayTest, DoesNotTakeItForSeenWhenNobodyIsThere) {
+    start_match();
+    take_turn(1);
+    disconnect(ada);
+    disconnect(grace);
+    EXPECT_EQ(count<told::TurnOpened>(linus), 0U);
+    pass(base::Instant{base::Duration{last<told::ShotPlayed>(linus).turn.opens_us}} - now);
+    EXPECT_EQ(last<told::TurnOpened>(linus).turn.deadline_us, std::nullopt);
+}
+
 TEST_F(PlayTest, RefusesWhateverComesWhileTheBallsRoll) {
     start_match();
     take_turn(1);
@@ -250,6 +260,16 @@ TEST_F(PlayTest, EndsWithAConcessionAndStartsAgainWhenBothAreReady) {
     say(grace, client::Ready{});
     EXPECT_EQ(count<told::MatchStarted>(linus), 2U);
     EXPECT_EQ(lobby->stats().matches_running, 1U);
+}
+
+TEST_F(PlayTest, StartsNoMatchOnceTheServerGoesDownButLetsOthersPlayOn) {
+    start_match();
+    lobby->shut_down(now);
+    take_turn(1);
+    EXPECT_EQ(count<told::ShotPlayed>(linus), 1U);
+    say(ada, client::Concede{});
+    say(ada, client::Ready{});
+    EXPECT_EQ(refusal(ada), RefusedCode::ShuttingDown);
 }
 
 TEST_F(PlayTest, TakesAConcessionWhileTheBallsRoll) {

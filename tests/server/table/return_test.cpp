@@ -90,6 +90,72 @@ TEST_F(ReturnTest, ShowsALatecomerNoShotThatHasComeToRest) {
     EXPECT_EQ(last<told::TableSnapshot>(late).match, state());
 }
 
+TEST_F(ReturnTest, ShowsALatecomerNoShotThatEveryoneHasSeenAlready) {
+    start_match();
+    take_turn(1);
+    say(ada, client::Seen{last<told::ShotPlayed>(ada).sequence});
+    say(grace, client::Seen{last<told::ShotPlayed>(grace).sequence});
+    const SessionId late = greet("Late");
+    say(late, client::Join{table, Role::Spectator});
+    EXPECT_EQ(last<told::TableSnapshot>(late).rolling, std::nullopt);
+}
+
+TEST_F(ReturnTest, ShowsALatecomerTheLastShotOfAMatchOnlyUntilItRests) {
+    start_match();
+    take_turn(1);
+    say(ada, client::Concede{});
+    const SessionId in_time = greet("Early");
+    say(in_time, client::Join{table, Role::Spectator});
+    EXPECT_TRUE(last<told::TableSnapshot>(in_time).rolling.has_value());
+    let_rest();
+    const SessionId late = greet("Late");
+    say(late, client::Join{table, Role::Spectator});
+    EXPECT_EQ(last<told::TableSnapshot>(late).rolling, std::nullopt);
+}
+
+TEST_F(ReturnTest, ShowsALatecomerNoShotOfTheMatchBefore) {
+    start_match();
+    take_turn(1);
+    say(ada, client::Concede{});
+    say(ada, client::Ready{});
+    say(grace, client::Ready{});
+    const SessionId late = greet("Late");
+    say(late, client::Join{table, Role::Spectator});
+    EXPECT_EQ(last<told::TableSnapshot>(late).rolling, std::nullopt);
+}
+
+TEST_F(ReturnTest, BringsASpectatorToTheLobbyWhereTheStandIsFull) {
+    limits.max_spectators_per_table = 1;
+    start();
+    start_match();
+    disconnect(linus);
+    say(greet("Quick"), client::Join{table, Role::Spectator});
+    const SessionId back = come_back(token_of(linus));
+    EXPECT_EQ(last<told::Welcome>(back).table, std::nullopt);
+    say(back, client::ListTables{});
+    EXPECT_EQ(refusal(back), std::nullopt);
+}
+
+TEST_F(ReturnTest, KeepsATableWhoseStepIsOnItsWayToTheDisk) {
+    start_match();
+    place_cue_ball();
+    disk_is_slow = true;
+    say(shooter(), shot(1));
+    disconnect(ada);
+    disconnect(grace);
+    for (base::Duration away{}; away <= limits.empty_table_kept; away += 30s) {
+        say(linus, client::Ping{});
+        pass(30s);
+    }
+    say(linus, client::Leave{});  // Its announcement wakes the table.
+    pass(limits.spectator_count_every);
+    EXPECT_EQ(lobby->stats().tables, 1U);
+    committer.complete();
+    EXPECT_EQ(committer.journal({1}).size(), 2U);
+    pass(1us);
+    EXPECT_EQ(lobby->stats().tables, 0U);
+}
+
 TEST_F(ReturnTest, EndsAMatchThatBothHaveLeftForTooLong) {
     start_match();
     disconnect(ada);
@@ -241,6 +307,18 @@ TEST_F(RestartTest, DoesNotBringBackAMatchThatIsOver) {
     EXPECT_EQ(last<told::Welcome>(come_back(token_of(ada))).table, std::nullopt);
 }
 
+TEST_F(RestartTest, LeavesASecondMatchAtOneTableAlone) {
+    start_match();
+    StoredWorld world = committer.durable();
+    world.matches.push_back(world.matches[0]);
+    world.matches[1].match.match = {2};
+    lobby.reset();
+    start();
+    EXPECT_EQ(lobby->restore(now, world),
+              std::vector<std::string>{"match 2: table 1 has another live match"});
+    EXPECT_EQ(lobby->stats().matches_running, 1U);
+}
+
 TEST_F(RestartTest, LeavesAloneWhatDoesNotRefoldAndSaysWhy) {
     start_match();
     place_cue_ball();
@@ -271,6 +349,16 @@ TEST_F(RestartTest, LeavesAloneWhatDoesNotRefoldAndSaysWhy) {
               "match 1: player 99 is not known");
     EXPECT_EQ(reason_of([](Live& live) { live.entries[1].entry.record.clear(); }),
               "match 1: entry 2: a shot without its outcome");
+    EXPECT_EQ(reason_of([](Live& live) {
+                  const protocol::JournalEntry concession{.seat = Seat::First,
+                                                          .command = match::Concede{},
+                                                          .shot_id = 0,
+                                                          .verdict = {},
+                                                          .final_layout = {},
+                                                          .record = {}};
+                  live.entries.push_back({3, protocol::encode_entry(concession)});
+              }),
+              "match 1: it is over");
 }
 
 }  // namespace

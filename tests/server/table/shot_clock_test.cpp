@@ -39,6 +39,29 @@ TEST_F(ShotClockTest, GivesTheBreakItsOwnTime) {
     EXPECT_EQ(*turn().deadline_us - turn().opens_us, 20'000'000);
 }
 
+TEST_F(ShotClockTest, GivesAChoiceAfterTheBreakTheUsualTime) {
+    start_match(settings);
+    place_cue_ball();
+    auto soft = shot(1);
+    soft.shot.power = 0.05;
+    say(shooter(), soft);
+    let_rest();
+    ASSERT_EQ(state().stage, match::Stage::Choosing);
+    EXPECT_EQ(*turn().deadline_us - turn().opens_us, 20'000'000);
+}
+
+TEST_F(ShotClockTest, WaitsOutTheGraceThoughTheTableIsWokenEarlier) {
+    start_match(settings);
+    place_cue_ball();
+    pass_until(limits.spectator_count_every - limits.shot_grace / 2);
+    say(linus, client::Leave{});
+    linus = other();
+    pass_until(-limits.shot_grace + 1us);
+    EXPECT_EQ(count<told::MatchMoved>(linus), 0U);
+    pass(1us);
+    EXPECT_EQ(count<told::MatchMoved>(linus), 1U);
+}
+
 TEST_F(ShotClockTest, TakesAShotThatIsJustLate) {
     start_match(settings);
     place_cue_ball();
