@@ -219,8 +219,7 @@ void Table::restore(base::Instant now, const StoredMatch& stored, const Refolded
 
 std::optional<base::Duration> Table::time_allowed() const {
     const match::MatchState& state = match_->state;
-    const bool is_break =
-        state.stage == match::Stage::Shooting && state.rack.phase == rules::Phase::Break;
+    const bool is_break = state.rack.phase == rules::Phase::Break;
     const double allowed_s =
         is_break ? state.settings.break_shot_clock_s : state.settings.shot_clock_s;
     if (allowed_s <= 0.0) return std::nullopt;
