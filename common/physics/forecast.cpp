@@ -45,15 +45,14 @@ class Lookout {
           course_(course_at(mover.plan.segment, now_s)),
           radius_(mover.spec.radius_m),
           is_airborne_(mover.plan.segment.motion == model::Motion::Airborne),
+          is_over_rail_(is_airborne_ &&
+                        is_behind_nose(shape, base::horizontal(course_.position_m))),
           first_{.time_s = mover.plan.end_s} {}
 
     Next look() {
         reach_ = swept_by(course_, horizon_s());
-        if (shape_.calm.contains(reach_)) return first_;
-        for (std::size_t i = 0; i < shape_.walls.size(); ++i) look_at_wall(i);
-        reach_ = swept_by(course_, horizon_s());
-        for (std::size_t i = 0; i < shape_.posts.size(); ++i) look_at_post(i);
-        for (std::size_t i = 0; i < shape_.pockets.size(); ++i) look_at_pocket(i);
+        if (!is_airborne_ && shape_.calm.contains(reach_)) return first_;
+        if (!is_over_rail_) look_at_fixed();
         if (shape_.has_edge) look_at_edge();
         return first_;
     }
@@ -62,6 +61,14 @@ class Lookout {
 
   private:
     double horizon_s() const { return first_.time_s - now_s_; }
+
+    /// The walls first: they are long, and mostly they bring the horizon near.
+    void look_at_fixed() {
+        for (std::size_t i = 0; i < shape_.walls.size(); ++i) look_at_wall(i);
+        reach_ = swept_by(course_, horizon_s());
+        for (std::size_t i = 0; i < shape_.posts.size(); ++i) look_at_post(i);
+        for (std::size_t i = 0; i < shape_.pockets.size(); ++i) look_at_pocket(i);
+    }
 
     void offer(double after_s, Cause cause, std::size_t index) {
         if (now_s_ + after_s >= first_.time_s) return;
@@ -76,7 +83,9 @@ class Lookout {
     /// Segments stop a ball from either side.
     void look_at_wall(std::size_t index) {
         const Wall& wall = shape_.walls[index];
-        if (!are_near(wall.box, reach_, radius_ + kBoxSlack_m)) return;
+        // A leaning nose stands out from its line, by less than a radius.
+        const double distance = is_airborne_ ? 2.0 * radius_ : radius_;
+        if (!are_near(wall.box, reach_, distance + kBoxSlack_m)) return;
         for (const double side : {1.0, -1.0}) {
             const Line line{wall.from_m, side * wall.normal};
             const double time = is_airborne_ ? nose_meeting_s(line)
@@ -87,8 +96,15 @@ class Lookout {
         }
     }
 
-    /// An airborne ball meets the nose by its true height: distance R in the plane across it.
+    bool is_on_side_of(const Line& line, double time_s) const {
+        const Vec2 then = base::horizontal(position_after(time_s));
+        return glm::dot(line.normal, then - line.point_m) > 0.0;
+    }
+
+    /// An airborne ball meets the nose by its true height: distance R in the plane across it. Each
+    /// side of a wall has its own nose; a ball that has flown over it is past it.
     double nose_meeting_s(const Line& line) const {
+        if (!is_on_side_of(line, 0.0)) return kNever_s;
         const auto across = [&](const Vec3& v) {
             return glm::dot(line.normal, base::horizontal(v));
         };
@@ -99,7 +115,8 @@ class Lookout {
             .velocity_mps = {across(course_.velocity_mps), 0.0, course_.velocity_mps.z},
             .acceleration_mps2 = {across(course_.acceleration_mps2), 0.0,
                                   course_.acceleration_mps2.z}};
-        return meeting_s(from_nose, radius_, horizon_s());
+        const double time = meeting_s(from_nose, radius_, horizon_s());
+        return time < kNever_s && is_on_side_of(line, time) ? time : kNever_s;
     }
 
     Course from(const Vec2& center) const {
@@ -149,6 +166,7 @@ class Lookout {
     Course course_;
     double radius_;
     bool is_airborne_;
+    bool is_over_rail_;
     Next first_;
     Box reach_;
 };

@@ -20,16 +20,13 @@ double length_of(const Vec2& v) {
 Nearness wall_nearness(const TableShape& shape, const Wall& wall, const Vec3& position_m,
                        double radius_m) {
     const double side = glm::dot(wall.normal, base::horizontal(position_m) - wall.from_m);
+    const Vec2 into = side > 0.0 ? -wall.normal : wall.normal;
     const double distance = std::abs(side);
     const double lean = lean_sine(shape, radius_m, position_m.z);
-    Nearness near{.gap_m = distance - radius_m,
-                  .into = side > 0.0 ? -wall.normal : wall.normal,
-                  .lean_sine = lean};
-    if (position_m.z > radius_m) {
-        const Vec2 across{distance - nose_setback_m(shape, radius_m), lean * radius_m};
-        near.gap_m = length_of(across) - radius_m;
-    }
-    return near;
+    if (position_m.z <= radius_m) return {distance - radius_m, into, lean};
+    const Vec2 to_nose{distance - nose_setback_m(shape, radius_m), lean * radius_m};
+    const double reach = length_of(to_nose);
+    return {reach - radius_m, to_nose.x > 0.0 ? into : -into, to_nose.y / reach};
 }
 
 Nearness post_nearness(const TableShape& shape, const Post& post, const Vec3& position_m,
@@ -58,8 +55,10 @@ Nearness nearness(const TableShape& shape, FixedIndex fixed, const Vec3& positio
 
 void add_touching(const TableShape& shape, const Vec3& position_m, double radius_m,
                   std::vector<FixedIndex>& touching) {
-    if (shape.calm.contains(base::horizontal(position_m))) return;
+    if (position_m.z <= radius_m && shape.calm.contains(base::horizontal(position_m))) return;
     constexpr double kSlack_m = 1e-9;
+    // A leaning nose stands out from its line, by less than a radius.
+    const double nose_reach = position_m.z > radius_m ? 2.0 * radius_m : radius_m;
     Box here;
     here.include(base::horizontal(position_m));
     const auto add_if_touching = [&](FixedIndex fixed) {
@@ -68,7 +67,7 @@ void add_touching(const TableShape& shape, const Vec3& position_m, double radius
     };
     for (std::size_t i = 0; i < shape.walls.size(); ++i) {
         const Wall& wall = shape.walls[i];
-        if (!are_near(wall.box, here, radius_m + kSlack_m)) continue;
+        if (!are_near(wall.box, here, nose_reach + kSlack_m)) continue;
         if (faces(wall, base::horizontal(position_m)))
             add_if_touching(wall_index(static_cast<int>(i)));
     }

@@ -145,7 +145,7 @@ void ShotSolver::land(int ball) {
                                            model::PocketId{static_cast<std::uint8_t>(*pocket)}));
         return remove(ball, Motion::Pocketed);
     }
-    if (is_behind_nose(shape_, base::horizontal(state.position_m))) {
+    if (is_on_rail(state.position_m, falling.spec.radius_m)) {
         recorder_->add(ShotEvent::off_table(now_s_, falling.id));
         return remove(ball, Motion::OffTable);
     }
@@ -269,6 +269,16 @@ void ShotSolver::set_state(int ball, const BallState& state) {
     changing.plan = plan_motion(parameters_, changing.spec.radius_m, state, now_s_);
     recorder_->add_segment(at(ball), changing.plan.segment);
     changed_.push_back(ball);
+}
+
+/// Behind a nose, or on a cushion or jaw: a ball that comes down there has left the bed.
+bool ShotSolver::is_on_rail(const Vec3& position, double radius_m) const {
+    std::vector<FixedIndex> touching;
+    add_touching(shape_, position, radius_m, touching);
+    return is_behind_nose(shape_, base::horizontal(position)) ||
+           std::any_of(touching.begin(), touching.end(), [&](FixedIndex fixed) {
+               return nearness(shape_, fixed, position, radius_m).gap_m < -kMostOverlap_m;
+           });
 }
 
 std::optional<int> ShotSolver::pocket_at(const Vec3& position) const {

@@ -41,6 +41,7 @@ class ShotSolver {
     void look_again(const Contact& contact);
     void remove(int ball, model::Motion motion);
     void set_state(int ball, const model::BallState& state);
+    bool is_on_rail(const base::Vec3& position, double radius_m) const;
     std::optional<int> pocket_at(const base::Vec3& position) const;
     Mover& mover(int ball) { return movers_[static_cast<std::size_t>(ball)]; }
 
