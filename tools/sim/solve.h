@@ -5,7 +5,7 @@
 
 namespace billiards::tools {
 
-/// `billiards-sim solve`; docs/physics.md, section 6, has the fields.
+/// `billiards-sim solve`; docs/physics.md has the fields.
 Json solve(const JsonNode& input, Fault& fault);
 
 }  // namespace billiards::tools

@@ -90,6 +90,25 @@ TEST(Invariants, HoldOverScatteredFrozenAndSpinningBalls) {
     }
 }
 
+TEST(Invariants, HoldOverJumpingBalls) {
+    base::Random random(34);
+    int left = 0;
+    for (int i = 0; i < 400; ++i) {
+        const auto& table = model::table_of(static_cast<model::TableSize>(i % 3));
+        auto balls = Scatter(random, table).balls(2 + random.below(10), false);
+        balls[0].velocity_mps.z = random.uniform(-3.0, 3.0);
+        Diagnostics diagnostics;
+        const auto record = solved(table, {}, balls, &diagnostics);
+        expect_lawful(diagnostics);
+        for (const auto& track : record.timeline.tracks) {
+            const Motion last = track.segments.back().motion;
+            EXPECT_NE(last, Motion::Airborne);
+            if (last == Motion::OffTable) ++left;
+        }
+    }
+    EXPECT_GT(left, 10) << "some fly over the rails";
+}
+
 TEST(Invariants, HoldInTheClassicPreset) {
     base::Random random(33);
     for (int i = 0; i < 300; ++i) {
