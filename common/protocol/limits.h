@@ -15,6 +15,8 @@ inline constexpr std::size_t kFrameHeaderBytes = 4;
 inline constexpr std::size_t kMaxGreetingFrameBytes = 512;
 inline constexpr std::size_t kMaxClientFrameBytes = 8 * 1024;
 inline constexpr std::size_t kMaxServerFrameBytes = 1024 * 1024;
+/// Of the record in a shot: what else a frame of a shot holds is far below the rest.
+inline constexpr std::size_t kMaxRecordBytes = kMaxServerFrameBytes - 64 * 1024;
 inline constexpr int kTraversalFactor = 4;  ///< Times the frame's words.
 inline constexpr int kMaxNesting = 8;
 

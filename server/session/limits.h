@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/base/time.h"
+#include "common/protocol/limits.h"
 
 #include <chrono>
 #include <cstddef>
@@ -24,6 +25,9 @@ struct LobbyLimits {
 
     /// Of one table, while one step is on its way to the disk.
     std::size_t queued_commands = 8;
+
+    /// A shot with a longer record is refused as unsolvable: it would not fit into a frame.
+    std::size_t record_bytes = protocol::kMaxRecordBytes;
 
     /// How long a table stands at which no player is connected; a match on it ends with it.
     base::Duration empty_table_kept = std::chrono::minutes(10);

@@ -110,10 +110,16 @@ Seat Table::acting_seat(const Request& request) const {
 }
 
 void Table::commit(base::Instant now, Step step) {
+    protocol::EncodedEntry entry = protocol::encode_entry(step.entry);
+    if (entry.record.size() > around_.limits.record_bytes) {
+        CHECK(step.asker.has_value());  // The clock takes no shots.
+        refuse(around_, *step.asker,
+               match::Refusal{match::RefusalCode::Unsolvable, "too much happens in this shot"});
+        return;
+    }
     std::vector<Write> writes;
-    writes.push_back(AppendEntry{
-        match_->id,
-        {.sequence = match_->entries + 1, .entry = protocol::encode_entry(step.entry)}});
+    writes.push_back(
+        AppendEntry{match_->id, {.sequence = match_->entries + 1, .entry = std::move(entry)}});
     if (step.next.stage == match::Stage::Over) writes.push_back(FinishMatch{match_->id});
     submit(now, std::move(step), std::move(writes));
 }

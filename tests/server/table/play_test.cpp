@@ -164,6 +164,18 @@ TEST_F(PlayTest, RefusesShotsWhoseNumbersMakeNoSense) {
     EXPECT_EQ(lobby->stats().shots, 1U);
 }
 
+TEST_F(PlayTest, RefusesAShotWhoseRecordFitsIntoNoFrame) {
+    limits.record_bytes = 1000;
+    start();
+    start_match();
+    place_cue_ball();
+    const match::MatchState before = state();
+    say(shooter(), shot(1));
+    EXPECT_EQ(match_refusal(shooter()), match::RefusalCode::Unsolvable);
+    EXPECT_EQ(state(), before);
+    EXPECT_EQ(lobby->stats().shots, 0U);
+}
+
 TEST_F(PlayTest, RefusesACueBallOnAnotherBallOutsideOrNowhere) {
     start_match();
     const base::Vec2 on_ball = state().layout.balls[1].position_m;
