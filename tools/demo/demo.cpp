@@ -119,7 +119,7 @@ void Demo::start_player(Part part) {
     for (const std::string& argument :
          {std::string("--race"), std::to_string(options_.race_to), std::string("--seed"),
           std::to_string(seed), std::string("--min-think"), think, std::string("--max-think"),
-          think}) {
+          think, std::string("--unsteady"), fmt::format("{}", options_.unsteady_deg)}) {
         command.push_back(argument);
     }
     if (!is_first) {

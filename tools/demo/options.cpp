@@ -20,11 +20,14 @@ struct Texts {
     std::uint32_t table = 0;
 };
 
-void add_match_options(CLI::App& app, int& race_to, std::uint64_t& seed) {
+void add_match_options(CLI::App& app, int& race_to, std::uint64_t& seed, double& unsteady_deg) {
     app.add_option("--race", race_to, "Racks to win")
         ->check(CLI::Range(1, match::kMaxRaceTo))
         ->capture_default_str();
     app.add_option("--seed", seed, "What the players do follows from it");
+    app.add_option("--unsteady", unsteady_deg, "Degrees by which shots go astray at most")
+        ->check(CLI::Range(0.0, 10.0))
+        ->capture_default_str();
 }
 
 CLI::App* add_role(CLI::App& app, const std::string& name, const std::string& about,
@@ -44,7 +47,7 @@ void add_play(CLI::App& app, RoleOptions& options, Texts& texts) {
     CLI::App* play = add_role(app, "play", "Play at a server that runs already", options, texts);
     play->add_option("--table", texts.table, "Table to join; without it, opens one");
     play->add_option("--table-name", options.table_name, "Of the table it opens");
-    add_match_options(*play, options.race_to, options.seed);
+    add_match_options(*play, options.race_to, options.seed, options.unsteady_deg);
     play->add_option("--shot-clock", options.shot_clock_s, "Seconds, 0: none; of a table it opens")
         ->check(CLI::Range(0.0, match::kMaxShotClock_s));
     play->add_option("--min-think", options.min_think_s, "Seconds")->check(CLI::Range(0.0, 3600.0));
@@ -59,7 +62,7 @@ void add_watch(CLI::App& app, RoleOptions& options, Texts& texts) {
 }
 
 void add_demo(CLI::App& app, DemoOptions& options, std::string& connect) {
-    add_match_options(app, options.race_to, options.seed);
+    add_match_options(app, options.race_to, options.seed, options.unsteady_deg);
     app.add_option("--server", options.server_program,
                    "The server program; without it, billiards-server beside this one");
     app.add_option("--connect", connect, "HOST:PORT of a server that runs already, instead")

@@ -12,6 +12,9 @@
 
 namespace billiards::tools {
 
+/// How far a simple player's shots go astray: enough that it does not always run out.
+inline constexpr double kUnsteady_deg = 0.4;
+
 /// A whole match: a server, two players and a spectator.
 struct DemoOptions {
     std::string server_program;                    ///< Empty: billiards-server beside this program.
@@ -19,6 +22,7 @@ struct DemoOptions {
     int race_to = 2;
     std::uint64_t seed = 1;
     double think_s = 0.25;
+    double unsteady_deg = kUnsteady_deg;
     double limit_s = 300.0;  ///< After which it gives up.
 };
 
@@ -35,6 +39,7 @@ struct RoleOptions {
     std::uint64_t seed = 1;
     double min_think_s = 0.0;
     double max_think_s = 0.0;
+    double unsteady_deg = kUnsteady_deg;
     bool watches_balls_roll = false;
     bool json = false;
 };

@@ -1,10 +1,12 @@
 // Takes options; runs a player or spectator on this thread and reports to standard output.
 #include "tools/demo/role.h"
 
+#include "common/base/elementary.h"
 #include "common/bot/choose.h"
 #include "tools/demo/report.h"
 #include "tools/demo/token_file.h"
 #include "tools/player/run_player.h"
+#include "tools/player/unsteady.h"
 
 #include <iostream>
 #include <utility>
@@ -24,7 +26,7 @@ PlayerOptions player_options(const RoleOptions& options) {
                          .watches_balls_roll = options.watches_balls_roll,
                          .aim_every = std::nullopt,
                          .plays_again = false,
-                         .choose = bot::choose};
+                         .choose = unsteady(bot::choose, base::radians(options.unsteady_deg))};
     player.settings.race_to = options.race_to;
     player.settings.shot_clock_s = options.shot_clock_s;
     return player;
