@@ -67,7 +67,7 @@ void LoadSession::received(const protocol::ServerMessage& message, std::size_t f
     if (const auto* shot = std::get_if<protocol::server::ShotPlayed>(&message)) {
         recorder_.shot_received(*shot, frame_bytes, now);
     } else if (const auto* welcome = std::get_if<protocol::server::Welcome>(&message)) {
-        on_welcome(*welcome);
+        on_welcome(*welcome, now);
     } else if (const auto* snapshot = std::get_if<protocol::server::TableSnapshot>(&message)) {
         on_place(snapshot->row.table);
     } else if (const auto* refused = std::get_if<protocol::server::Refused>(&message)) {
@@ -80,9 +80,9 @@ void LoadSession::received(const protocol::ServerMessage& message, std::size_t f
     wait_for_player();
 }
 
-void LoadSession::on_welcome(const protocol::server::Welcome& welcome) {
-    if (was_welcome_) recorder_.reconnected();
-    was_welcome_ = true;
+void LoadSession::on_welcome(const protocol::server::Welcome& welcome, base::Instant now) {
+    if (gone_since_) recorder_.reconnected(now - *gone_since_);
+    gone_since_.reset();
     is_welcome_ = true;
     link_->keep_alive();
     if (reconnect_.unanswered_shot()) link_->send(*reconnect_.unanswered_shot());
@@ -100,12 +100,17 @@ void LoadSession::on_place(protocol::TableId table) {
 }
 
 void LoadSession::lost(const client::Lost& lost) {
-    is_welcome_ = false;
-    if (player_) player_->link_lost();
+    gone();
     drop_.cancel();
     recorder_.error("link lost: " + lost.reason);
     const auto delay = reconnect_.lost(lost.code, client::local_now());
     if (delay) connect_after(*delay);
+}
+
+void LoadSession::gone() {
+    if (is_welcome_) gone_since_ = client::local_now();
+    is_welcome_ = false;
+    if (player_) player_->link_lost();
 }
 
 void LoadSession::connect_after(base::Duration delay) {
@@ -121,8 +126,7 @@ void LoadSession::drop_later() {
     drop_.async_wait([this](const asio::error_code& error) {
         if (error) return;
         link_.reset();
-        is_welcome_ = false;
-        if (player_) player_->link_lost();
+        gone();
         connect_after(spread(random_, kShortestAbsence, kLongestAbsence));
     });
 }

@@ -44,9 +44,10 @@ class LoadSession {
     void connect();
     std::uint32_t send(protocol::ClientMessageBody body);
     void received(const protocol::ServerMessage& message, std::size_t frame_bytes);
-    void on_welcome(const protocol::server::Welcome& welcome);
+    void on_welcome(const protocol::server::Welcome& welcome, base::Instant now);
     void on_place(protocol::TableId table);
     void lost(const client::Lost& lost);
+    void gone();
     void connect_after(base::Duration delay);
     void drop_later();
     void wait_for_player();
@@ -62,7 +63,7 @@ class LoadSession {
     asio::steady_timer act_;
     std::optional<HeadlessPlayer> player_;
     std::uint32_t last_request_id_ = 0;
-    bool was_welcome_ = false;
+    std::optional<base::Instant> gone_since_;  ///< The link was lost after a Welcome.
     bool is_welcome_ = false;
     bool is_in_place_ = false;
     std::optional<client::Link> link_;  ///< Last: its end is the end of every callback.

@@ -64,7 +64,8 @@ nlohmann::ordered_json Recorder::report() const {
             {"fsync_ms", commit_ms_.summary()},
             {"bytes_per_shot", bytes_per_shot_.summary()},
             {"receipts", shot_to_broadcast_ms_.size()},
-            {"reconnects", reconnects_},
+            {"reconnects", reconnect_s_.size()},
+            {"reconnect_s", reconnect_s_.summary()},
             {"nonsense_sent", nonsense_}};
 }
 

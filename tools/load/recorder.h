@@ -40,7 +40,8 @@ class Recorder {
     void shot_received(const protocol::server::ShotPlayed& shot, std::size_t frame_bytes,
                        base::Instant at);
     void error(const std::string& what) { ++errors_[what]; }
-    void reconnected() { ++reconnects_; }
+    /// A lost connection was made again and welcomed, this long after it was lost.
+    void reconnected(base::Duration after) { reconnect_s_.add(base::seconds(after)); }
     void nonsense_sent() { ++nonsense_; }
 
     /// Everything but what is known of the server's process.
@@ -60,7 +61,7 @@ class Recorder {
     Samples commit_ms_;
     Samples bytes_per_shot_;
     std::map<std::string, std::uint64_t> errors_;
-    std::uint64_t reconnects_ = 0;
+    Samples reconnect_s_;
     std::uint64_t nonsense_ = 0;
 };
 

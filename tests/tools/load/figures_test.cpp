@@ -69,17 +69,20 @@ TEST(Recorder, ARepeatedShotCountsFromItsFirstSending) {
     EXPECT_EQ(recorder.report()["shot_to_broadcast_ms"]["max"], 510.0);
 }
 
-TEST(Recorder, NamesItsErrorsAndCountsWhatWasNotAnswered) {
+TEST(Recorder, CountsErrorsByNameReconnectsAndWhatWasNotAnswered) {
     Recorder recorder;
     recorder.start();
     recorder.shot_sent(1, kNow);
     recorder.error("link lost: closed");
     recorder.error("link lost: closed");
     recorder.error("refused: too early");
+    recorder.reconnected(milliseconds(1500));
     const auto report = recorder.report();
     EXPECT_EQ(report["errors"], 3);
     EXPECT_EQ(report["error_kinds"]["link lost: closed"], 2);
     EXPECT_EQ(report["shots_unanswered"], 1);
+    EXPECT_EQ(report["reconnects"], 1);
+    EXPECT_EQ(report["reconnect_s"]["max"], 1.5);
 }
 
 TEST(ProcessStats, TellOfThisProcess) {
