@@ -17,11 +17,23 @@ std::string address(std::uint16_t port) {
     return "127.0.0.1:" + std::to_string(port);
 }
 
-/// The process's next line of this kind of event.
-json await_event(Process& process, const std::string& event) {
-    const auto line = process.read_line_with("\"event\":\"" + event + "\"");
-    if (!line) throw std::runtime_error("no '" + event + "' came");
-    return json::parse(*line);
+struct Seated {
+    Process process;
+    std::string table;
+};
+
+/// Starts a client and waits until it is at its table. One whose link is lost before its first
+/// welcome gives up, as it should; a person would try again.
+Seated start_seated(const std::vector<std::string>& command) {
+    constexpr int kTries = 10;
+    for (int i = 0; i < kTries; ++i) {
+        Process process(command);
+        const auto line = process.read_line_with("\"event\":\"seated\"");
+        if (!line) continue;
+        const int table = json::parse(*line)["table"];
+        return {std::move(process), std::to_string(table)};
+    }
+    throw std::runtime_error("no seat for " + command[1]);
 }
 
 std::vector<std::string> player_command(std::uint16_t port, const std::string& name, int seed) {
@@ -48,18 +60,23 @@ int Host::stop() {
 Match::Match(std::uint16_t port, int race_to, int seed) {
     auto first = player_command(port, "Ada", 2 * seed);
     first.insert(first.end(), {"--race", std::to_string(race_to), "--shot-clock", "0"});
-    clients_.emplace_back(first);
-    const std::string table =
-        std::to_string(await_event(clients_[0], "seated")["table"].get<int>());
+    Seated opened = start_seated(first);
+    clients_.push_back(std::move(opened.process));
 
-    clients_.emplace_back(std::vector<std::string>{BILLIARDS_DEMO_PROGRAM, "watch", "--json",
-                                                   "--server", address(port), "--name", "Grace",
-                                                   "--table", table});
-    await_event(clients_[1], "seated");
+    const std::vector<std::string> spectator{BILLIARDS_DEMO_PROGRAM,
+                                             "watch",
+                                             "--json",
+                                             "--server",
+                                             address(port),
+                                             "--name",
+                                             "Grace",
+                                             "--table",
+                                             opened.table};
+    clients_.push_back(start_seated(spectator).process);
 
     auto second = player_command(port, "Bob", 2 * seed + 1);
-    second.insert(second.end(), {"--table", table});
-    clients_.emplace_back(second);
+    second.insert(second.end(), {"--table", opened.table});
+    clients_.push_back(start_seated(second).process);
 }
 
 void Match::note(Account& account, const std::string& line) {
