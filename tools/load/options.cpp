@@ -20,6 +20,7 @@ std::string check_address(const std::string& text) {
 }
 
 struct Texts {
+    std::string mode = "play";
     std::string server;
     std::string http;
     pid_t pid = 0;
@@ -27,8 +28,9 @@ struct Texts {
 
 void add_options(CLI::App& app, LoadOptions& options, Texts& texts) {
     app.add_option("--server", texts.server, "HOST:PORT")->required()->check(check_address);
-    app.add_option("--mode", options.mode, "play, idle, spectate, slow, garbage or flap")
-        ->transform(CLI::CheckedTransformer(kModes));
+    app.add_option("--mode", texts.mode, "What the clients do")
+        ->option_text("play|idle|spectate|slow|garbage|flap")
+        ->check(CLI::IsMember(&kModes));
     app.add_option("--tables", options.tables)->check(CLI::Range(1, 10'000))->capture_default_str();
     app.add_option("--spectators", options.spectators, "Of all tables together")
         ->check(CLI::Range(0, 100'000))
@@ -80,6 +82,7 @@ std::variant<LoadOptions, int> parse_load_options(int argc, const char* const* a
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
+    options.mode = kModes.at(texts.mode);
     options.server = *client::parse_address(texts.server);
     if (!texts.http.empty()) options.http = client::parse_address(texts.http);
     if (texts.pid != 0) options.server_pid = texts.pid;
