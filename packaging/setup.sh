@@ -32,7 +32,8 @@ install_packages() {
     fi
     say "Installing ${#missing[@]} packages: ${missing[*]}"
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -qq ||
-        fail "apt-get update failed: is this machine online?"
+        fail "Updating the package lists failed: is this machine online, and may you become root? To do it by hand:
+  apt-get update && ${install[*]}"
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive "${install[@]}" -qq >/dev/null ||
         fail "Installing failed. Run this to see why: ${as_root[*]} ${install[*]}"
 }

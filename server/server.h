@@ -39,8 +39,8 @@ class Server {
     /// 0 where there is none.
     std::uint16_t http_port() const;
 
-    /// Tells everyone, makes durable what is on its way, closes; within a few seconds. Again: no
-    /// effect.
+    /// Tells everyone, makes durable what is on its way, closes; within a few seconds, if the
+    /// disk answers. Again: no effect.
     void stop();
 
   private:

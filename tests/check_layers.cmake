@@ -39,7 +39,8 @@ set(libraries
     "^(thread|mutex|condition_variable): server/net server/store server/server server/main client/net tools")
 
 # Whoever else needs the time or a random number takes it as an argument.
-set(clock_rooms server/net server/store server/server server/main client/net client/main tools)
+set(clock_rooms server/net server/store server/game_loop server/server server/main client/net
+    client/main tools)
 
 set(failures 0)
 
@@ -124,7 +125,7 @@ foreach(file IN LISTS sources)
     endforeach()
   endforeach()
 
-  file(STRINGS "${ROOT}/${file}" clocks REGEX "_clock::now|std::random_device|gettimeofday|std::rand")
+  file(STRINGS "${ROOT}/${file}" clocks REGEX "[Cc]lock::now|random_device|getentropy|gettimeofday|std::rand")
   starts_with_one_of("${file}" "${clock_rooms}" may_read_clocks)
   if(clocks AND NOT may_read_clocks)
     complain("${file}: reads a clock or draws randomness; take it as an argument")

@@ -30,7 +30,7 @@ std::string describe(const model::Call& call) {
 std::string explain(const std::string& field, const model::Shot& shot) {
     if (field == "power") return fmt::format("power must be in (0, 1], was {:g}", shot.power);
     if (field == "angle_rad") {
-        return fmt::format("angle_rad must be a finite angle, was {:g}", shot.angle_rad);
+        return fmt::format("angle_rad must be within 1000 rad, was {:g}", shot.angle_rad);
     }
     if (field == "elevation_rad") {
         return fmt::format("elevation_rad must be in [0, pi/2), was {:g}", shot.elevation_rad);

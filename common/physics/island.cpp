@@ -5,6 +5,7 @@
 #include "common/physics/detect.h"
 #include "common/physics/motion.h"
 #include "common/physics/order_free_sum.h"
+#include "common/physics/validate.h"
 
 #include <algorithm>
 #include <array>
@@ -16,9 +17,10 @@ namespace {
 
 using base::Vec3;
 
-/// More than the contacts that all balls of a table can have at once: 231 pairs, and a handful of
-/// cushions and jaws a ball.
-constexpr std::size_t kMostTerms = 512;
+/// As many contacts as there can be at once, even on a table that has every part many times in one
+/// place: each pair of balls, and each ball with every cushion, both its ends and every jaw.
+constexpr std::size_t kMostTerms =
+    model::kMaxBalls * (model::kMaxBalls - 1) / 2 + model::kMaxBalls * 4 * kMostParts;
 
 bool is_fixed(const Contact& contact) {
     return contact.b == Contact::kFixed;

@@ -61,8 +61,8 @@ struct Diagnostics {
     std::optional<double> min_gap_m;
 };
 
-/// Whether a strike's numbers make sense: power in (0, 1], offset within 0.5, elevation in
-/// [0, pi/2), all finite.
+/// Whether a strike's numbers make sense: power in (0, 1], angle within 1000 rad, offset within
+/// 0.5, elevation in [0, pi/2), all finite.
 Result<base::Done> validate(const model::Shot& shot);
 
 /// Solves the motion of balls that already move. At most kMaxBalls, unique ids, none overlapping.

@@ -188,6 +188,13 @@ Result<Done> validate(const Parameters& p) {
 }
 
 Result<Done> validate(const model::TableSpec& table) {
+    for (const auto& [name, count] :
+         {std::pair{"cushions", table.cushions.size()}, std::pair{"jaws", table.jaws.size()},
+          std::pair{"pockets", table.pockets.size()}}) {
+        if (count <= kMostParts) continue;
+        return Error{ErrorCode::OutOfRange,
+                     std::string(name) + ", more than " + std::to_string(kMostParts)};
+    }
     for (std::size_t i = 0; i < table.cushions.size(); ++i) {
         const std::string name = "cushions[" + std::to_string(i) + "]";
         const model::CushionSegment& cushion = table.cushions[i];

@@ -17,6 +17,8 @@ inline constexpr double kMostOverlap_m = 1e-6;
 inline constexpr double kMostPosition_m = 100.0;
 inline constexpr double kMostSpeed_mps = 100.0;
 inline constexpr double kMostSpin_radps = 10'000.0;
+/// Of cushions, of jaws and of pockets, each; the named tables have 18, 12 and 6.
+inline constexpr std::size_t kMostParts = 64;
 inline constexpr double kLeastRadius_m = 0.001;
 inline constexpr double kMostRadius_m = 1.0;
 inline constexpr double kLeastMass_kg = 0.001;

@@ -137,6 +137,15 @@ base::Result<StoredSettings, DecodeError> decode_settings(std::span<const std::b
     });
 }
 
+bool is_sendable(const timeline::ShotRecord& record) {
+    std::size_t segments = 0;
+    for (const timeline::BallTrack& track : record.timeline.tracks) {
+        segments += track.segments.size();
+    }
+    return record.events.size() <= kMaxEventsInRecord && segments <= kMaxSegmentsInRecord &&
+           record.duration_s <= kMaxShotDuration_s;
+}
+
 std::size_t encoded_record_size(const timeline::ShotRecord& record) {
     return encode_root<wire::ShotRecord>([&](wire::ShotRecord::Builder out) { write(out, record); })
         .size();

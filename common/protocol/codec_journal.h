@@ -48,6 +48,10 @@ struct StoredSettings {
 };
 base::Result<StoredSettings, DecodeError> decode_settings(std::span<const std::byte> bytes);
 
+/// Whether a receiver takes the record: events, segments, duration and numbers within the limits
+/// of limits.h. The size in bytes is another question.
+bool is_sendable(const timeline::ShotRecord& record);
+
 /// Bytes of the record alone as a viewer gets it: for measuring.
 std::size_t encoded_record_size(const timeline::ShotRecord& record);
 

@@ -74,8 +74,10 @@ std::vector<ThreadedCommitter::Answer> ThreadedCommitter::commit_group(
     std::vector<Answer> answers;
     answers.reserve(group.size());
     for (std::size_t i = 0; i < group.size(); ++i) {
-        // One that cannot be stored must fail alone, so each of a failed group has its own try.
-        const bool again = !together.ok() && group.size() > 1;
+        // One that cannot be stored must fail alone, so each of its group has its own try. What
+        // no submission can cause, as a full disk, fails them all.
+        const bool again =
+            !together.ok() && together.error().code == StoreErrorCode::Failed && group.size() > 1;
         auto result = again ? commit_together(group.subspan(i, 1)) : together;
         if (group[i].refused) result = *group[i].refused;
         answers.push_back(

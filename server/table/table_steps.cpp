@@ -44,7 +44,9 @@ void Table::request(base::Instant now, const Asker& asker, Command command) {
         refuse(around_, asker, RefusedCode::NotInThisPhase, "no match has been started");
         return;
     }
-    if (std::holds_alternative<match::PlaceCueBall>(command.command) && !placements_.allows(now)) {
+    // Only whoever is to act spends the table's allowance, which their opponent must not.
+    if (std::holds_alternative<match::PlaceCueBall>(command.command) &&
+        seating_.session_of(match_->state.to_act) == asker.session && !placements_.allows(now)) {
         refuse(around_, asker, RefusedCode::TooMany, "placements of the cue ball");
         return;
     }
@@ -111,7 +113,8 @@ Seat Table::acting_seat(const Request& request) const {
 
 void Table::commit(base::Instant now, Step step) {
     protocol::EncodedEntry entry = protocol::encode_entry(step.entry);
-    if (entry.record.size() > around_.limits.record_bytes) {
+    if (entry.record.size() > around_.limits.record_bytes ||
+        (step.entry.record && !protocol::is_sendable(*step.entry.record))) {
         CHECK(step.asker.has_value());  // The clock takes no shots.
         refuse(around_, *step.asker,
                match::Refusal{match::RefusalCode::Unsolvable, "too much happens in this shot"});

@@ -1,7 +1,11 @@
 // Takes ports and seeds; runs billiards-server and billiards-demo, and reads their lines of JSON.
 #include "tests/e2e/match_runner.h"
 
+#include "common/protocol/codec_journal.h"
+#include "server/store/sqlite_store.h"
+
 #include <csignal>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -57,6 +61,22 @@ int Host::stop() {
     return server_->exit_code();
 }
 
+std::vector<Host::JournalledShot> Host::journalled_shots() const {
+    const auto store = server::open_sqlite_store(data() / "billiards.db");
+    if (!store) throw std::runtime_error(store.error().detail);
+    const auto entries = (*store)->journal(server::MatchId{1});
+    if (!entries) throw std::runtime_error(entries.error().detail);
+    std::vector<JournalledShot> shots;
+    for (const server::StoredEntry& stored : *entries) {
+        const auto entry = protocol::decode_entry(stored.entry);
+        if (!entry) throw std::runtime_error(entry.error().detail);
+        if (!entry->record) continue;
+        shots.push_back(
+            {fmt::format("{:016x}", entry->shot_id), fmt::format("{:016x}", entry->record->hash)});
+    }
+    return shots;
+}
+
 Match::Match(std::uint16_t port, int race_to, int seed) {
     auto first = player_command(port, "Ada", 2 * seed);
     first.insert(first.end(), {"--race", std::to_string(race_to), "--shot-clock", "0"});
@@ -83,7 +103,10 @@ void Match::note(Account& account, const std::string& line) {
     const json event = json::parse(line, nullptr, false);
     if (event.is_discarded()) return;
     const std::string kind = event.value("event", "");
-    if (kind == "shot") account.shots[event["shot"]] = event["digest"];
+    if (kind == "shot") {
+        account.shots[event["shot"]] = event["digest"];
+        account.told[event["shot"]] = {event["shot_id"], event["record_hash"]};
+    }
     if (kind == "link-lost") ++account.links_lost;
     if (kind == "over") {
         account.result = event["winner"].get<std::string>() + " " +

@@ -27,6 +27,14 @@ class Host {
     /// Asks it to stop; gives its exit code.
     int stop();
 
+    struct JournalledShot {
+        std::string shot_id;
+        std::string record_hash;
+        friend bool operator==(const JournalledShot&, const JournalledShot&) = default;
+    };
+    /// The shots of the first match, as its journal has them; the server must have stopped.
+    std::vector<JournalledShot> journalled_shots() const;
+
     std::uint16_t port() const { return port_; }
     std::filesystem::path data() const { return folder_.path() / "data"; }
 
@@ -39,8 +47,9 @@ class Host {
 /// What one client told of a match.
 struct Account {
     std::map<int, std::string> shots;  ///< Digest of each shot it saw, by the shot's number.
-    std::string result;                ///< "Ada 2-1, 34 shots"
-    std::string digest;                ///< Over everything; of use where nothing was missed.
+    std::map<int, Host::JournalledShot> told;  ///< What should be in the journal, likewise.
+    std::string result;                        ///< "Ada 2-1, 34 shots"
+    std::string digest;  ///< Over everything; of use where nothing was missed.
     int missed = 0;
     int links_lost = 0;
     std::string failure;

@@ -61,8 +61,15 @@ TEST(MatchOverTcp, NoAcknowledgedShotIsMissingAfterTheServerIsKilled) {
     EXPECT_GT(kills, 0);
     const std::vector<Account> accounts = match.finish();
     expect_one_match(accounts);
-    for (const Account& account : accounts) EXPECT_GE(account.links_lost, 1);
     EXPECT_EQ(host.stop(), 0);
+    const std::vector<Host::JournalledShot> journal = host.journalled_shots();
+    for (const Account& account : accounts) {
+        EXPECT_GE(account.links_lost, 1);
+        for (const auto& [number, shot] : account.told) {
+            ASSERT_LE(static_cast<std::size_t>(number), journal.size());
+            EXPECT_EQ(shot, journal[static_cast<std::size_t>(number) - 1]) << "shot " << number;
+        }
+    }
 }
 
 }  // namespace

@@ -116,6 +116,13 @@ void HeadlessPlayer::tell_missed(const server::TableSnapshot& snapshot) {
         before.row = snapshot.row;
         before.match = snapshot.match;
     }
+    const int known = digest_.shots() + digest_.missed();
+    // Another match may have begun meanwhile, but not where only one is played.
+    if (snapshot.match && snapshot.match->shots_played < known && !options_.plays_again) {
+        failure_ = fmt::format("the server lost shots: it knows {}, and told of {}",
+                               snapshot.match->shots_played, known);
+        return;
+    }
     if (snapshot.rolling) tell_shot(before, *snapshot.rolling);
     if (!was_playing_ || before.over || !snapshot.match || !snapshot.match->winner) return;
     tell_over(before, {.sequence = snapshot.sequence,

@@ -142,7 +142,7 @@ TEST(Legality, ShotMustMakeSenseAndTheDetailSaysWhatDoesNot) {
         {{.power = 0.0}, "power must be in (0, 1], was 0"},
         {{.power = 1.5}, "power must be in (0, 1], was 1.5"},
         {{.power = nan}, "power must be in (0, 1], was nan"},
-        {{.angle_rad = nan}, "angle_rad must be a finite angle, was nan"},
+        {{.angle_rad = nan}, "angle_rad must be within 1000 rad, was nan"},
         {{.tip_left = 0.4, .tip_up = 0.4},
          "tip offset must be within 0.5 of the centre, was (0.4, 0.4)"},
         {{.tip_left = -2}, "tip offset must be within 0.5 of the centre, was (-2, 0)"},

@@ -1,4 +1,6 @@
 // Holds that every bad input has its own error, and names what is wrong.
+#include "common/physics/validate.h"
+
 #include "tests/common/physics/still_life.h"
 
 #include <limits>
@@ -45,6 +47,28 @@ TEST(Validate, CountsBalls) {
     EXPECT_EQ(error_of(many).code, ErrorCode::TooManyBalls);
     EXPECT_EQ(error_of({ball_at(4, {0, 0}), ball_at(4, {1, 0})}),
               (Error{ErrorCode::DuplicateBall, "ball 4, ball 4"}));
+}
+
+model::TableSpec table_with_wall(std::size_t times) {
+    model::TableSpec table = model::open_table();
+    table.nose_height_m = 0.036;
+    table.cushions.assign(times, {{0.5, -1}, {0.5, 1}});
+    return table;
+}
+
+TEST(Validate, CountsThePartsOfATable) {
+    EXPECT_EQ(error_of({ball_at(1, {0, 0})}, table_with_wall(kMostParts + 1)),
+              (Error{ErrorCode::OutOfRange, "cushions, more than 64"}));
+}
+
+TEST(Validate, AWallThatStandsManyTimesInOnePlaceIsOneThatBallsComeBackFrom) {
+    const BallStart ball = with(ball_at(1, {0, 0}), [](BallStart& b) {
+        b.velocity_mps = {2, 0, 0};
+    });
+    const auto record =
+        simulate(table_with_wall(kMostParts), Parameters{}, std::vector<BallStart>{ball});
+    ASSERT_TRUE(record.ok()) << record.error().detail;
+    EXPECT_LT(record->final_layout.balls[0].position_m.x, 0.5 - kRadius_m);
 }
 
 TEST(Validate, NamesWhatOverlaps) {

@@ -32,7 +32,7 @@ class SlowStore final : public MatchStore {
     };
     explicit SlowStore(Control& control) : control_(control) {}
 
-    /// Fails where one of the writes finishes match 13.
+    /// Fails where one of the writes finishes match 13; is full where one finishes match 14.
     StoreResult<base::Done> commit(std::span<const Write> writes) override {
         control_.started.release();
         control_.allowed.acquire();
@@ -42,6 +42,9 @@ class SlowStore final : public MatchStore {
             const auto* finish = std::get_if<FinishMatch>(&write);
             if (finish && finish->match.value == 13) {
                 return StoreError{StoreErrorCode::Failed, "thirteen"};
+            }
+            if (finish && finish->match.value == 14) {
+                return StoreError{StoreErrorCode::Full, "fourteen"};
             }
         }
         return base::Done{};
@@ -127,12 +130,20 @@ TEST(ThreadedCommitter, KeepsAGroupWithinItsLimit) {
 
 TEST(ThreadedCommitter, LetsOnlyTheWritesFailThatCannotBeStored) {
     BusyGame busy;
-    for (const std::uint64_t number : {12U, 13U, 14U}) busy.game.submit(number);
+    for (const std::uint64_t number : {12U, 13U, 15U}) busy.game.submit(number);
     busy.go_on(4);
-    EXPECT_THAT(busy.game.answered, ElementsAre(1, 12, 13, 14));
+    EXPECT_THAT(busy.game.answered, ElementsAre(1, 12, 13, 15));
     EXPECT_TRUE(busy.game.results[1].result.ok());
     EXPECT_FALSE(busy.game.results[2].result.ok());
     EXPECT_TRUE(busy.game.results[3].result.ok());
+}
+
+TEST(ThreadedCommitter, TriesAGroupOnceWhereTheDiskIsFull) {
+    BusyGame busy;
+    for (const std::uint64_t number : {12U, 14U, 15U}) busy.game.submit(number);
+    busy.go_on(2);
+    EXPECT_THAT(busy.control.sizes(), ElementsAre(1, 3));
+    for (std::size_t i = 1; i < 4; ++i) EXPECT_FALSE(busy.game.results[i].result.ok()) << i;
 }
 
 TEST(ThreadedCommitter, AnswersBusyInItsTurnBeyondTheLimit) {

@@ -202,6 +202,16 @@ TEST_F(PlayTest, LimitsHowOftenTheCueBallIsSetDown) {
     EXPECT_EQ(refusal(shooter()), RefusedCode::TooMany);
 }
 
+TEST_F(PlayTest, LetsNobodySpendTheOpponentsPlacements) {
+    start_match();
+    for (int i = 0; i < 2 * limits.placements_per_10s; ++i) {
+        say(other(), client::PlaceCueBall{state().turn, free_place()});
+        EXPECT_EQ(match_refusal(other()), match::RefusalCode::NotYourTurn);
+    }
+    place_cue_ball();
+    EXPECT_EQ(count<told::CueBallPlaced>(linus), 1U);
+}
+
 TEST_F(PlayTest, RefusesEverythingOfTheMatchToSpectators) {
     start_match();
     const protocol::ClientMessageBody messages[] = {
