@@ -17,7 +17,7 @@ struct Flags {
     std::vector<std::string> listen{
         fmt::format("127.0.0.1:{}", protocol::kDefaultPort),
     };
-    std::string data;
+    std::optional<std::string> data;
     std::string http;
     bool plain = false;
     std::string log_format = "text";
@@ -94,8 +94,9 @@ base::Result<CommandLine, Farewell> configuration_of(const Flags& flags,
         if (!endpoint) return std::move(endpoint).error();
         command_line.server.http = *endpoint;
     }
+    if (flags.data && flags.data->empty()) return wrong("--data: names no folder");
     const auto data =
-        flags.data.empty() ? default_data_folder(environment) : std::filesystem::path(flags.data);
+        !flags.data ? default_data_folder(environment) : std::filesystem::path(*flags.data);
     if (!data) return wrong("--data: neither it nor XDG_DATA_HOME nor HOME names a folder");
     command_line.server.data = *data;
     return command_line;

@@ -42,6 +42,7 @@ set(libraries
 set(clock_rooms server/net server/store server/game_loop server/server server/main client/net
     client/main tools)
 
+file(REAL_PATH "${ROOT}" ROOT)  # The globs below give no relative names for a relative root.
 set(failures 0)
 
 function(complain text)

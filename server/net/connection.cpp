@@ -13,7 +13,7 @@
 namespace billiards::server {
 namespace {
 
-std::string no_longer_than(std::string_view what, std::chrono::milliseconds limit) {
+std::string not_within(std::string_view what, std::chrono::milliseconds limit) {
     return fmt::format("{} within {} s", what, std::chrono::duration<double>(limit).count());
 }
 
@@ -52,8 +52,7 @@ void Connection::on_preamble() {
         return read_next();
     }
     ++share_.stats.malformed;
-    // Another version of this protocol reads a refusal; anything else would not know what it is.
-    if (preamble.error().code != protocol::FramingErrorCode::OtherVersion) return end();
+    // Another version reads this; for anything else it is at least a sentence among the bytes.
     refuse(protocol::RefusedCode::Malformed, preamble.error().detail);
 }
 
@@ -132,13 +131,12 @@ void Connection::tick(Clock::time_point now) {
 void Connection::time_out() {
     if (stage_ == Stage::Closing) return end();
     ++share_.stats.timed_out;
-    if (stage_ == Stage::Preamble) return end();
-    if (stage_ == Stage::Greeting) {
+    if (stage_ == Stage::Preamble || stage_ == Stage::Greeting) {
         return refuse(protocol::RefusedCode::GreetingTimeout,
-                      no_longer_than("no greeting", share_.limits.greeting_timeout));
+                      not_within("no greeting", share_.limits.greeting_timeout));
     }
     refuse(protocol::RefusedCode::IdleTimeout,
-           no_longer_than("a frame was begun and not ended", share_.limits.frame_timeout));
+           not_within("a frame was begun and not ended", share_.limits.frame_timeout));
 }
 
 void Connection::deliver(const protocol::SharedFrame& frame, Delivery delivery) {

@@ -6,6 +6,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <stdexcept>
 #include <variant>
 
 namespace {
@@ -24,7 +25,9 @@ struct Run {
 
 int main(int argc, char** argv) {
     try {
-        return std::visit(Run{}, billiards::tools::parse_options(argc, argv));
+        const int exit_code = std::visit(Run{}, billiards::tools::parse_options(argc, argv));
+        if (!std::cout.flush()) throw std::runtime_error("the output could not be written");
+        return exit_code;
     } catch (const std::exception& error) {
         std::cerr << "billiards-demo: " << error.what() << '\n';
         return 1;

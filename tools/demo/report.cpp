@@ -103,7 +103,11 @@ void Report::result(const PlayedOut& played) {
                       {"shots", played.digest.shots()},
                       {"missed", played.digest.missed()}};
     if (!played.failure.empty()) json["failure"] = played.failure;
-    out_ << line_of(json) << std::endl;
+    json["text"] = played.failure.empty()
+                       ? fmt::format("{} saw {} shots, and missed {}", played.name,
+                                     played.digest.shots(), played.digest.missed())
+                       : "could not go on: " + played.failure;
+    write(out_, json_, json);
 }
 
 }  // namespace billiards::tools

@@ -10,8 +10,7 @@
 namespace billiards::tools {
 
 /// Lines of JSON are objects with `event`: seated, shot, moved, over, refused, link-lost,
-/// and at the end result; each with `text`, the sentence for people, where there is one. In text
-/// the last line is the result, in JSON too.
+/// and at the end result; each with `text`, the sentence for people. As text, those sentences.
 class Report {
   public:
     Report(std::ostream& out, bool json) : out_(out), json_(json) {}

@@ -13,8 +13,14 @@ namespace {
 constexpr int kBadInput = 2;
 
 Json answer_text(const std::string& text, const AnswerCase& answer, Fault& fault) {
-    const Json input = Json::parse(text, nullptr, false);
-    if (input.is_discarded() || !input.is_object()) {
+    Json input;
+    try {
+        input = Json::parse(text);
+    } catch (const Json::exception& error) {
+        fault.report("input", std::string("is no JSON: ") + error.what());
+        return {};
+    }
+    if (!input.is_object()) {
         fault.report("input", "must be one JSON object");
         return {};
     }

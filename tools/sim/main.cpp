@@ -7,11 +7,14 @@
 #include <exception>
 #include <iostream>
 #include <map>
+#include <stdexcept>
 #include <string>
 
 namespace {
 
 using namespace billiards::tools;
+
+constexpr int kBadInput = 2;
 
 int answer(const AnswerCase& answer_case, bool is_by_line) {
     return is_by_line ? answer_lines(std::cin, std::cout, answer_case)
@@ -36,7 +39,11 @@ int run(int argc, char** argv) {
     benching->add_option("--seconds", seconds, "How long; 1,000 shots at least")
         ->check(CLI::Range(0.0, 3600.0));
 
-    CLI11_PARSE(app, argc, argv);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : kBadInput;
+    }
     if (solving->parsed()) return answer(solve, is_by_line);
     std::cout << bench(bench_case, seconds).dump() << '\n';
     return 0;
@@ -46,7 +53,9 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     try {
-        return run(argc, argv);
+        const int exit_code = run(argc, argv);
+        if (!std::cout.flush()) throw std::runtime_error("the answer could not be written");
+        return exit_code;
     } catch (const std::exception& error) {
         std::cerr << "billiards-sim: " << error.what() << '\n';
         return 1;

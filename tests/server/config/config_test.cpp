@@ -92,6 +92,13 @@ TEST(Config, SaysWhatIsMissingWhereNoFolderIsNamed) {
     EXPECT_THAT(parsed.error().text, HasSubstr("--data"));
 }
 
+TEST(Config, AnEmptyFolderNameIsNoDefault) {
+    const auto empty = parse({"--data", ""});
+    ASSERT_FALSE(empty.ok());
+    EXPECT_EQ(empty.error().exit_code, 1);
+    EXPECT_THAT(empty.error().text, HasSubstr("--data"));
+}
+
 TEST(Config, HelpsAndTellsItsVersion) {
     const auto help = parse({"--help"});
     ASSERT_FALSE(help.ok());

@@ -63,12 +63,12 @@ TEST(Network, TellsOfTheEndOfASessionOnce) {
     EXPECT_EQ(running.stats().connections, 1U);
 }
 
-TEST(Network, ClosesOnBytesThatAreNoPreambleWithoutTellingTheGame) {
+TEST(Network, RefusesBytesThatAreNoPreambleWithoutTellingTheGame) {
     Running running;
     RawClient client(running.port);
     client.send("GET / HTTP/1.1\r\nHost: a\r\n\r\n");
     EXPECT_TRUE(client.receive_preamble());
-    EXPECT_TRUE(client.is_closed_by_other_side());
+    expect_refused(client, protocol::RefusedCode::Malformed, "");
     EXPECT_TRUE(running.events.all().empty());
     EXPECT_EQ(running.stats().malformed, 1U);
 }
@@ -148,11 +148,11 @@ TEST(Network, StandsWhateverBytesAreSent) {
     EXPECT_NE(next.session.value, 0U);
 }
 
-TEST(Network, ClosesAClientThatSaysNothing) {
+TEST(Network, RefusesAClientThatSaysNothing) {
     Running running(impatient());
     RawClient client(running.port);
     EXPECT_TRUE(client.receive_preamble());
-    EXPECT_TRUE(client.is_closed_by_other_side());
+    expect_refused(client, protocol::RefusedCode::GreetingTimeout, "no greeting within");
     EXPECT_EQ(running.stats().timed_out, 1U);
 }
 
@@ -196,7 +196,8 @@ TEST(Network, LeavesAGreetedClientAloneHoweverLongItIsSilent) {
     Greeted patient(running);
     RawClient silent(running.port);
     EXPECT_TRUE(silent.receive_preamble());
-    EXPECT_TRUE(silent.is_closed_by_other_side());  // Came later, and its time is over.
+    // Came later, and its time is over.
+    expect_refused(silent, protocol::RefusedCode::GreetingTimeout, "no greeting within");
     EXPECT_EQ(running.events.count(Kind::Disconnected), 0U);
     EXPECT_TRUE(patient.client.send(ping(2)));
     EXPECT_TRUE(running.events.wait_for(Kind::Received, 2));
