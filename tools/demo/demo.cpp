@@ -170,7 +170,7 @@ void Demo::server_said(const std::string& line) {
 void Demo::event(Part part, const json& event) {
     const std::string kind = event.value("event", "");
     if (kind == "seated") return seated(part, event);
-    if (part == Part::Spectator && event.contains("text")) {
+    if (part == Part::Spectator && event.contains("text") && kind != "result") {
         std::cout << event["text"].get<std::string>() << std::endl;
         if (kind == "over") over_ = event;
     }

@@ -26,7 +26,8 @@ struct Run {
 int main(int argc, char** argv) {
     try {
         const int exit_code = std::visit(Run{}, billiards::tools::parse_options(argc, argv));
-        if (!std::cout.flush()) throw std::runtime_error("the output could not be written");
+        if (exit_code == 0 && !std::cout.flush())
+            throw std::runtime_error("the output could not be written");
         return exit_code;
     } catch (const std::exception& error) {
         std::cerr << "billiards-demo: " << error.what() << '\n';
