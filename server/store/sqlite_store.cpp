@@ -262,6 +262,10 @@ StoreResult<MatchStore::HighestIds> SqliteStore::highest_ids() {
 
 /// Durable means: in the log, and the log on the disk, before commit() returns.
 StoreResult<base::Done> set_up(SQLite::Database& database, const std::filesystem::path& file) {
+    // A file that may only be read opens all the same: better to know now than at the first match.
+    if (sqlite3_db_readonly(database.getHandle(), "main") != 0) {
+        return StoreError{StoreErrorCode::CannotOpen, file.string() + ": may not be written"};
+    }
     const std::string mode = database.execAndGet("PRAGMA journal_mode = WAL").getString();
     if (mode != "wal") {
         return StoreError{StoreErrorCode::CannotOpen,
