@@ -11,7 +11,7 @@ using model::Seat;
 
 class RestartTest : public MatchTest {
   protected:
-    /// Everybody comes back under the names the helpers know.
+    /// Everybody comes back under the names of the fixture.
     void all_come_back() {
         ada = come_back(token_of(ada));
         grace = come_back(token_of(grace));
