@@ -98,6 +98,8 @@ Fault fixed_fault(const TableShape& shape, const BallStart& ball) {
     if (!shape.walls.empty() && (sine <= -1.0 || sine >= 1.0)) {
         return Error{ErrorCode::OutOfRange, name_of(ball.ball) + " radius_m against nose_height_m"};
     }
+    const bool is_on_slate = ball.position_m.z <= radius;
+    if (is_on_slate && shape.calm.contains(base::horizontal(ball.position_m))) return {};
     const std::size_t count = shape.walls.size() + shape.posts.size();
     for (std::size_t i = 0; i < count; ++i) {
         const auto fixed = static_cast<FixedIndex>(i);
