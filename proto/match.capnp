@@ -7,9 +7,9 @@ $Cxx.namespace("billiards::wire");
 
 using Model = import "model.capnp";
 
-enum Game { eightBall @0; }
+enum Game { eightBall @0; nineBall @1; tenBall @2; straightPool @3; practice @4; }
 enum Group { solids @0; stripes @1; }
-enum Phase { break @0; open @1; groups @2; }
+enum Phase { break @0; open @1; groups @2; afterBreak @3; }
 enum Zone { none @0; anywhere @1; behindHeadString @2; }
 
 enum Foul {
@@ -23,6 +23,7 @@ enum Foul {
   clock @7;
   badPlacement @8;
   wrongBallStruck @9;
+  breakingFoul @10;
 }
 
 enum Choice {
@@ -31,7 +32,11 @@ enum Choice {
   rebreakOpponent @2;
   spotEight @3;
   ballInHandBehindHeadString @4;
+  play @5;
+  passBack @6;
 }
+
+enum Rerack { none @0; fourteen @1; fifteen @2; }
 
 enum Reason {
   legalPot @0;
@@ -51,6 +56,15 @@ enum Reason {
   eightUncalled @14;
   eightOffTable @15;
   clockRanOut @16;
+  threeFouls @17;
+  pushOut @18;
+  nineWon @19;
+  tenWon @20;
+  tenEarly @21;
+  uncalledPot @22;
+  breakingFoul @23;
+  targetReached @24;
+  practice @25;
 }
 
 enum BreakOrder { alternate @0; winner @1; loser @2; }
@@ -82,6 +96,9 @@ struct Settings {
   raceTo @5 :Int32;
   shotClockS @6 :Float64;  # 0: no clock.
   breakShotClockS @7 :Float64;
+  nineOnFootSpot @8 :Bool;
+  tenWinsAnyTime @9 :Bool;
+  targetPoints @10 :Int32 = 100;
 }
 
 struct RackState {
@@ -100,6 +117,11 @@ struct RackState {
   consecutiveFouls :group {
     first @8 :UInt32;
     second @9 :UInt32;
+  }
+  pushOutAllowed @10 :Bool;
+  scores :group {
+    first @11 :Int32;
+    second @12 :Int32;
   }
 }
 
@@ -130,6 +152,12 @@ struct Verdict {
     second @14 :UInt32;
   }
   reason @15 :Reason;
+  phase @16 :Phase = open;
+  scoreChange :group {
+    first @17 :Int32;
+    second @18 :Int32;
+  }
+  rerack @19 :Rerack;
 }
 
 struct MatchState {

@@ -47,6 +47,7 @@ struct Call {
       pocket @2 :UInt8;
     }
     safety @3 :Void;
+    pushOut @4 :Void;
   }
 }
 

@@ -42,6 +42,7 @@ std::string said(const TableView& before, const model::Call& call) {
             return fmt::format("called {} in pocket {}", called.ball.number, called.pocket.number);
         }
         std::string operator()(const model::Safety&) const { return "called a safety"; }
+        std::string operator()(const model::PushOut&) const { return "called a push-out"; }
     };
     const bool is_break = before.match && before.match->rack.phase == rules::Phase::Break;
     return std::visit(Words{is_break}, call);
@@ -77,7 +78,19 @@ std::string_view remark(rules::Reason reason) {
         case Reason::EightWon:
         case Reason::EightOffTable:
         case Reason::ClockRanOut:
+        case Reason::NineWon:
+        case Reason::TenWon:
+        case Reason::UncalledPot:
+        case Reason::BreakingFoul:
+        case Reason::TargetReached:
+        case Reason::Practice:
             return "";
+        case Reason::ThreeFouls:
+            return "the third foul in a row";
+        case Reason::PushOut:
+            return "a push-out";
+        case Reason::TenEarly:
+            return "the 10 too early";
         case Reason::NotCalled:
             return "not as called";
         case Reason::EightWithFoul:
@@ -200,6 +213,8 @@ std::string words(rules::Foul foul) {
             return "cue ball badly placed";
         case rules::Foul::WrongBallStruck:
             return "wrong ball struck";
+        case rules::Foul::BreakingFoul:
+            return "breaking foul";
     }
     return "";
 }
@@ -216,6 +231,10 @@ std::string words(rules::Choice choice) {
             return "spot the 8 and play on";
         case rules::Choice::BallInHandBehindHeadString:
             return "take ball in hand behind the head string";
+        case rules::Choice::Play:
+            return "play on";
+        case rules::Choice::PassBack:
+            return "have the opponent play on";
     }
     return "";
 }

@@ -103,16 +103,18 @@ void give_table_to(MatchState& match, Seat player, Zone in_hand,
     count_balls(match);
 }
 
-void follow(MatchState& match, const rules::Verdict& verdict, Phase phase) {
+void follow(MatchState& match, const rules::Verdict& verdict) {
     const rules::RackState before = match.rack;
-    match.rack.phase = phase;
+    match.rack.phase = verdict.phase;
+    match.rack.push_out_allowed = verdict.phase == Phase::AfterBreak;
     match.rack.groups = verdict.groups;
     match.rack.consecutive_fouls = verdict.consecutive_fouls;
+    for (const Seat seat : model::kSeats) match.rack.scores[seat] += verdict.score_change[seat];
     if (verdict.winner) {
         match.rack.in_hand = Zone::None;
         return end_rack(match, *verdict.winner);
     }
-    if (phase == Phase::Break) match.breaker = verdict.next_player;
+    if (verdict.phase == Phase::Break) match.breaker = verdict.next_player;
     give_table_to(match, verdict.next_player, verdict.in_hand, verdict.spotted);
     if (verdict.choices.empty()) return;
     match.stage = Stage::Choosing;
@@ -145,8 +147,7 @@ class Fold {
         ++match_.turn.value;
         ++match_.shots_played;
         match_.layout = *consequence_.final_layout;
-        const bool grouped = consequence_.verdict->groups.has_value();
-        follow(match_, *consequence_.verdict, grouped ? Phase::Groups : Phase::Open);
+        follow(match_, *consequence_.verdict);
     }
     void on(const Choose& command) {
         ++match_.turn.value;
@@ -158,7 +159,7 @@ class Fold {
             return choose(match_, match_.pending->verdict.choices.front());
         }
         CHECK(consequence_.verdict != nullptr);
-        follow(match_, *consequence_.verdict, match_.rack.phase);
+        follow(match_, *consequence_.verdict);
     }
     void on(const Concede&) {
         ++match_.turn.value;

@@ -23,6 +23,7 @@ std::string describe(const model::Call& call) {
     if (const auto* called = std::get_if<model::CalledBall>(&call)) {
         return fmt::format("ball {} in pocket {}", called->ball.number, called->pocket.number);
     }
+    if (std::holds_alternative<model::PushOut>(call)) return "a push-out";
     return std::holds_alternative<model::Safety>(call) ? "a safety" : "no call";
 }
 
@@ -135,6 +136,12 @@ Checked check(const Settings& settings) {
     if (settings.race_to < 1 || settings.race_to > kMaxRaceTo) {
         return refused(RefusalCode::BadSettings, fmt::format("race_to must be in [1, {}], was {}",
                                                              kMaxRaceTo, settings.race_to));
+    }
+    const int target_points = settings.options.target_points;
+    if (target_points < 1 || target_points > rules::kMaxTargetPoints) {
+        return refused(RefusalCode::BadSettings,
+                       fmt::format("target_points must be in [1, {}], was {}",
+                                   rules::kMaxTargetPoints, target_points));
     }
     if (Checked clock = check_clock("shot_clock_s", settings.shot_clock_s); !clock) return clock;
     return check_clock("break_shot_clock_s", settings.break_shot_clock_s);

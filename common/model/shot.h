@@ -41,7 +41,12 @@ struct Safety {
     friend bool operator==(Safety, Safety) = default;
 };
 
-/// What the shooter says before the shot.
-using Call = std::variant<NoCall, CalledBall, Safety>;
+/// At nine- and ten-ball, on the shot after the break: no ball need be hit.
+struct PushOut {
+    friend bool operator==(PushOut, PushOut) = default;
+};
+
+/// What the shooter says before the shot. The order is part of the wire format; only append.
+using Call = std::variant<NoCall, CalledBall, Safety, PushOut>;
 
 }  // namespace billiards::model

@@ -37,11 +37,12 @@ constexpr auto last_of(model::Place) { return Last{model::Place::OffTable, wire:
 constexpr auto last_of(model::TableSize) { return Last{model::TableSize::NineFoot, wire::TableSize::NINE_FOOT}; }
 constexpr auto last_of(rules::Game) { return Last{rules::Game::EightBall, wire::Game::EIGHT_BALL}; }
 constexpr auto last_of(rules::Group) { return Last{rules::Group::Stripes, wire::Group::STRIPES}; }
-constexpr auto last_of(rules::Phase) { return Last{rules::Phase::Groups, wire::Phase::GROUPS}; }
+constexpr auto last_of(rules::Phase) { return Last{rules::Phase::AfterBreak, wire::Phase::AFTER_BREAK}; }
 constexpr auto last_of(rules::Zone) { return Last{rules::Zone::BehindHeadString, wire::Zone::BEHIND_HEAD_STRING}; }
-constexpr auto last_of(rules::Foul) { return Last{rules::Foul::WrongBallStruck, wire::Foul::WRONG_BALL_STRUCK}; }
-constexpr auto last_of(rules::Choice) { return Last{rules::Choice::BallInHandBehindHeadString, wire::Choice::BALL_IN_HAND_BEHIND_HEAD_STRING}; }
-constexpr auto last_of(rules::Reason) { return Last{rules::Reason::ClockRanOut, wire::Reason::CLOCK_RAN_OUT}; }
+constexpr auto last_of(rules::Foul) { return Last{rules::Foul::BreakingFoul, wire::Foul::BREAKING_FOUL}; }
+constexpr auto last_of(rules::Choice) { return Last{rules::Choice::PassBack, wire::Choice::PASS_BACK}; }
+constexpr auto last_of(rules::Rerack) { return Last{rules::Rerack::Fifteen, wire::Rerack::FIFTEEN}; }
+constexpr auto last_of(rules::Reason) { return Last{rules::Reason::Practice, wire::Reason::PRACTICE}; }
 constexpr auto last_of(match::BreakOrder) { return Last{match::BreakOrder::Loser, wire::BreakOrder::LOSER}; }
 constexpr auto last_of(match::PhysicsPreset) { return Last{match::PhysicsPreset::Classic, wire::PhysicsPreset::CLASSIC}; }
 constexpr auto last_of(match::Stage) { return Last{match::Stage::Over, wire::Stage::OVER}; }

@@ -76,11 +76,17 @@ void write(wire::Settings::Builder out, const match::Settings& settings) {
     out.setRaceTo(settings.race_to);
     out.setShotClockS(settings.shot_clock_s);
     out.setBreakShotClockS(settings.break_shot_clock_s);
+    out.setNineOnFootSpot(settings.options.nine_on_foot_spot);
+    out.setTenWinsAnyTime(settings.options.ten_wins_any_time);
+    out.setTargetPoints(settings.options.target_points);
 }
 
 match::Settings read(wire::Settings::Reader in) {
     return {.game = from_wire<rules::Game>(in.getGame(), "game"),
-            .options = {.call = in.getCall()},
+            .options = {.call = in.getCall(),
+                        .nine_on_foot_spot = in.getNineOnFootSpot(),
+                        .ten_wins_any_time = in.getTenWinsAnyTime(),
+                        .target_points = in.getTargetPoints()},
             .table = from_wire<model::TableSize>(in.getTable(), "table"),
             .physics = from_wire<match::PhysicsPreset>(in.getPhysics(), "physics"),
             .break_order = from_wire<match::BreakOrder>(in.getBreakOrder(), "break_order"),
@@ -95,6 +101,8 @@ match::Settings accepted_settings(wire::Settings::Reader in) {
         return length_s >= 0 && length_s <= match::kMaxShotClock_s;
     };
     require(settings.race_to >= 1 && settings.race_to <= match::kMaxRaceTo, "race_to");
+    const int target_points = settings.options.target_points;
+    require(target_points >= 1 && target_points <= rules::kMaxTargetPoints, "target_points");
     require(is_clock(settings.shot_clock_s), "shot_clock_s");
     require(is_clock(settings.break_shot_clock_s), "break_shot_clock_s");
     return settings;
@@ -108,6 +116,8 @@ void write(wire::RackState::Builder out, const rules::RackState& rack) {
     out.setInHand(to_wire(rack.in_hand));
     out.setBehindHeadString(rack.behind_head_string.bits());
     write_counts(out.getConsecutiveFouls(), rack.consecutive_fouls);
+    out.setPushOutAllowed(rack.push_out_allowed);
+    write_scores(out.getScores(), rack.scores);
 }
 
 rules::RackState read(wire::RackState::Reader in) {
@@ -117,7 +127,9 @@ rules::RackState read(wire::RackState::Reader in) {
             .on_table = ball_set(in.getOnTable(), "on_table"),
             .in_hand = from_wire<rules::Zone>(in.getInHand(), "in_hand"),
             .behind_head_string = ball_set(in.getBehindHeadString(), "behind_head_string"),
-            .consecutive_fouls = read_counts(in.getConsecutiveFouls(), "consecutive_fouls")};
+            .consecutive_fouls = read_counts(in.getConsecutiveFouls(), "consecutive_fouls"),
+            .push_out_allowed = in.getPushOutAllowed(),
+            .scores = read_scores(in.getScores(), "scores")};
 }
 
 void write(wire::Verdict::Builder out, const rules::Verdict& verdict) {
@@ -132,6 +144,9 @@ void write(wire::Verdict::Builder out, const rules::Verdict& verdict) {
     write_seat(out.getWinner(), verdict.winner);
     write_counts(out.getConsecutiveFouls(), verdict.consecutive_fouls);
     out.setReason(to_wire(verdict.reason));
+    out.setPhase(to_wire(verdict.phase));
+    write_scores(out.getScoreChange(), verdict.score_change);
+    out.setRerack(to_wire(verdict.rerack));
 }
 
 rules::Verdict read(wire::Verdict::Reader in) {
@@ -145,7 +160,10 @@ rules::Verdict read(wire::Verdict::Reader in) {
             .spotted = read_balls(in.getSpotted(), "spotted"),
             .winner = read_seat(in.getWinner(), "winner"),
             .consecutive_fouls = read_counts(in.getConsecutiveFouls(), "consecutive_fouls"),
-            .reason = from_wire<rules::Reason>(in.getReason(), "reason")};
+            .reason = from_wire<rules::Reason>(in.getReason(), "reason"),
+            .phase = from_wire<rules::Phase>(in.getPhase(), "phase"),
+            .score_change = read_scores(in.getScoreChange(), "score_change"),
+            .rerack = from_wire<rules::Rerack>(in.getRerack(), "rerack")};
 }
 
 void write(wire::MatchState::Builder out, const match::MatchState& state) {

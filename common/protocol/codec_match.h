@@ -8,6 +8,7 @@
 #include "common/rules/verdict.h"
 #include "proto/match.capnp.h"
 
+#include <cstdint>
 #include <optional>
 
 namespace billiards::protocol {
@@ -33,6 +34,23 @@ template <class Group>
 void write_counts(Group out, const model::PerSeat<int>& counts) {
     out.setFirst(to_count(counts[model::Seat::First]));
     out.setSecond(to_count(counts[model::Seat::Second]));
+}
+
+inline constexpr std::int32_t kMaxScore = 1'000'000;  ///< Above what any match can reach.
+
+/// Scores may be below zero.
+template <class Group>
+void write_scores(Group out, const model::PerSeat<int>& scores) {
+    out.setFirst(scores[model::Seat::First]);
+    out.setSecond(scores[model::Seat::Second]);
+}
+
+template <class Group>
+model::PerSeat<int> read_scores(Group in, std::string_view field) {
+    for (const std::int32_t score : {in.getFirst(), in.getSecond()}) {
+        require(score >= -kMaxScore && score <= kMaxScore, field);
+    }
+    return {{in.getFirst(), in.getSecond()}};
 }
 
 template <class Group>

@@ -39,6 +39,10 @@ void write(wire::Call::Builder out, const model::CalledBall& called) {
     pot.setPocket(called.pocket.number);
 }
 
+void write(wire::Call::Builder out, model::PushOut) {
+    out.setPushOut();
+}
+
 void write(wire::Call::Builder out, model::Safety) {
     out.setSafety();
 }
@@ -93,6 +97,8 @@ model::Call read(wire::Call::Reader in) {
         }
         case wire::Call::SAFETY:
             return model::Safety{};
+        case wire::Call::PUSH_OUT:
+            return model::PushOut{};
     }
     fail(DecodeErrorCode::UnknownKind, "call");
 }

@@ -5,11 +5,11 @@
 #include "common/base/check.h"
 #include "common/model/rack.h"
 #include "common/rules/racking.h"
+#include "common/rules/ruling.h"
 #include "common/rules/standard_fouls.h"
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <utility>
 
 namespace billiards::rules {
@@ -71,32 +71,6 @@ model::PerSeat<Group> groups_with(Seat seat, Group group) {
     return groups;
 }
 
-/// One line of a table of rulings.
-struct Ruling {
-    bool applies;
-    Reason reason;
-    Seat next_player;  ///< Whoever has a choice, or else plays on; the winner of a rack.
-    Zone in_hand = Zone::None;
-    std::vector<Choice> choices = {};
-};
-
-Verdict verdict_of(const RackState& state, std::vector<Foul> fouls,
-                   std::span<const Ruling> rulings) {
-    const auto ruling = std::ranges::find_if(rulings, &Ruling::applies);
-    CHECK(ruling != rulings.end());
-    Verdict verdict;
-    verdict.fouls = std::move(fouls);
-    verdict.reason = ruling->reason;
-    verdict.next_player = ruling->next_player;
-    verdict.turn_continues = ruling->next_player == state.shooter && ruling->choices.empty();
-    verdict.in_hand = ruling->in_hand;
-    verdict.choices = ruling->choices;
-    if (!verdict.choices.empty()) verdict.chooser = ruling->next_player;
-    verdict.groups = state.groups;
-    verdict.consecutive_fouls = state.consecutive_fouls;
-    return verdict;
-}
-
 std::vector<Ruling> break_rulings(const RackState& state, const Facts& facts, bool illegal,
                                   bool foul) {
     const bool scratch = facts.cue_ball_lost;
@@ -128,6 +102,7 @@ Verdict judge_break(const RackState& state, const Facts& facts) {
     const bool foul = !fouls.empty();
     Verdict verdict =
         verdict_of(state, std::move(fouls), break_rulings(state, facts, illegal, foul));
+    verdict.phase = Phase::Open;
     // An 8 that left the table comes back whatever is chosen; one that fell, only by choice.
     if (facts.off_table.contains(kEightBall)) verdict.spotted.push_back(kEightBall);
     return verdict;
@@ -179,6 +154,7 @@ Verdict judge_after_break(const RackState& state, const Options& options, const 
     // Where the groups were set before, the ball was the shooter's and this changes nothing.
     if (verdict.reason == Reason::LegalPot) {
         verdict.groups = groups_with(state.shooter, group_of(*scoring));
+        verdict.phase = Phase::Groups;
     }
     return verdict;
 }
@@ -214,9 +190,9 @@ bool EightBall::is_call_allowed(const RackState& state, const Options& options,
     if (std::holds_alternative<model::NoCall>(call)) return true;
     if (state.phase == Phase::Break) return false;
     if (std::holds_alternative<model::Safety>(call)) return true;
-    const auto& called = std::get<model::CalledBall>(call);
-    return options.call && called.pocket.number < model::kPockets &&
-           is_playable(state, called.ball);
+    const auto* called = std::get_if<model::CalledBall>(&call);
+    return called != nullptr && options.call && called->pocket.number < model::kPockets &&
+           is_playable(state, called->ball);
 }
 
 Verdict EightBall::judge(const RackState& state, const Options& options, const model::Call& call,

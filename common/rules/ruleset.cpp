@@ -11,6 +11,11 @@ const Ruleset& ruleset_of(Game game) {
     switch (game) {
         case Game::EightBall:
             return eight_ball;
+        case Game::NineBall:
+        case Game::TenBall:
+        case Game::StraightPool:
+        case Game::Practice:
+            break;  // Not on the wire yet, so that nobody can ask for them.
     }
     CHECK(false);
 }

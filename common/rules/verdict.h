@@ -14,12 +14,13 @@ namespace billiards::rules {
 
 // The order of every enum here is part of the wire format; only append.
 
-enum class Game : std::uint8_t { EightBall };
+enum class Game : std::uint8_t { EightBall, NineBall, TenBall, StraightPool, Practice };
 
 enum class Group : std::uint8_t { Solids, Stripes };
 
-/// Where a rack stands. Open: no groups yet. Groups: groups are set.
-enum class Phase : std::uint8_t { Break, Open, Groups };
+/// Where a rack stands. Open: eight-ball without groups yet. AfterBreak: the shot that may be a
+/// push-out. Groups: the ordinary phase of every game; groups are set at eight-ball only.
+enum class Phase : std::uint8_t { Break, Open, Groups, AfterBreak };
 
 /// Where the cue ball may be set down before the next shot.
 enum class Zone : std::uint8_t { None, Anywhere, BehindHeadString };
@@ -35,6 +36,7 @@ enum class Foul : std::uint8_t {
     Clock,
     BadPlacement,
     WrongBallStruck,
+    BreakingFoul,  ///< At straight pool: an opening break that does not meet its requirement.
 };
 
 /// Seen from the one who chooses.
@@ -44,7 +46,12 @@ enum class Choice : std::uint8_t {
     RebreakOpponent,
     SpotEight,
     BallInHandBehindHeadString,
+    Play,      ///< The chooser plays on from where the balls lie.
+    PassBack,  ///< The one who played does.
 };
+
+/// At straight pool: how many balls are racked again. Fourteen: without the apex.
+enum class Rerack : std::uint8_t { None, Fourteen, Fifteen };
 
 /// Why the table passes, stays or is won. Each has its sentence in docs/rules.md.
 enum class Reason : std::uint8_t {
@@ -65,10 +72,24 @@ enum class Reason : std::uint8_t {
     EightUncalled,     ///< The 8 fell uncalled, in another pocket or on a safety: the rack is lost.
     EightOffTable,     ///< The rack is lost.
     ClockRanOut,       ///< A foul; or, before the break, the other player breaks.
+    ThreeFouls,     ///< The third foul in a row: the rack is lost, or 15 points at straight pool.
+    PushOut,        ///< The opponent chooses who plays on.
+    NineWon,        ///< The 9 went down on a legal shot: the rack is won.
+    TenWon,         ///< The 10 went down as called: the rack is won.
+    TenEarly,       ///< The called 10 went down too early: it is spotted, the shooter continues.
+    UncalledPot,    ///< A ball fell, not the called one, at ten-ball: the opponent chooses.
+    BreakingFoul,   ///< At straight pool: the opponent accepts or orders another break.
+    TargetReached,  ///< At straight pool: the points to win are made.
+    Practice,       ///< Nobody is judged.
 };
 
+inline constexpr int kMaxTargetPoints = 1000;
+
 struct Options {
-    bool call = true;  ///< Ball and pocket are called on every shot but the break.
+    bool call = true;  ///< Eight-ball: ball and pocket are called on every shot but the break.
+    bool nine_on_foot_spot = false;  ///< Nine-ball: the 9 and not the 1 is racked there.
+    bool ten_wins_any_time = false;  ///< Ten-ball: the called 10 wins before the last ball too.
+    int target_points = 100;         ///< Straight pool: 1 to kMaxTargetPoints.
 
     friend bool operator==(const Options&, const Options&) = default;
 };
@@ -82,6 +103,8 @@ struct RackState {
     Zone in_hand = Zone::None;
     model::BallSet behind_head_string;  ///< Object balls there before the shot.
     model::PerSeat<int> consecutive_fouls;
+    bool push_out_allowed = false;
+    model::PerSeat<int> scores;  ///< At straight pool; may be below zero.
 
     friend bool operator==(const RackState&, const RackState&) = default;
 };
@@ -100,6 +123,11 @@ struct Verdict {
     std::optional<model::Seat> winner;   ///< Of the rack.
     model::PerSeat<int> consecutive_fouls;
     Reason reason = Reason::NothingPotted;
+    Phase phase = Phase::Open;  ///< Of the next shot, if the rack goes on as it lies.
+    model::PerSeat<int> score_change;
+    /// Where the rack of straight pool is set up again, the cue ball's zone follows from where the
+    /// balls lie, which the rules do not see: `in_hand` is the least that holds.
+    Rerack rerack = Rerack::None;
 
     friend bool operator==(const Verdict&, const Verdict&) = default;
 };

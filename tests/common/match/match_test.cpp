@@ -103,11 +103,12 @@ TEST(MatchTurn, BallsThatTheVerdictSpotsComeBack) {
     expect_sound(next);
 }
 
-TEST(MatchTurn, TableIsOpenAfterTheBreakAndGroupedOnceGroupsAreSet) {
+TEST(MatchTurn, PhaseAndGroupsFollowTheVerdict) {
     const MatchState open = told(started(), passes_to(Seat::First));
     EXPECT_EQ(open.rack.phase, Phase::Open);
     rules::Verdict groups = passes_to(Seat::First);
     groups.groups = {{rules::Group::Stripes, rules::Group::Solids}};
+    groups.phase = Phase::Groups;
     const MatchState grouped = told(open, groups);
     EXPECT_EQ(grouped.rack.phase, Phase::Groups);
     EXPECT_EQ(grouped.rack.groups, groups.groups);

@@ -79,6 +79,9 @@ std::vector<BallId> balls() {
 model::PerSeat<int> counts() {
     return {{within(0, 1'000'001), within(0, 1'000'001)}};
 }
+model::PerSeat<int> scores() {
+    return {{within(-1'000'000, 1'000'001), within(-1'000'000, 1'000'001)}};
+}
 model::PerSeat<rules::Group> groups() {
     return {{up_to(rules::Group::Stripes), up_to(rules::Group::Stripes)}};
 }
@@ -91,13 +94,15 @@ model::Shot shot() {
     return {fine(10), fine(1), fine(1), fine(1), fine(1e300)};
 }
 model::Call call() {
-    switch (within(0, 3)) {
+    switch (within(0, 4)) {
         case 0:
             return model::NoCall{};
         case 1:
             return model::CalledBall{ball(), model::PocketId{within<std::uint8_t>(0, 6)}};
-        default:
+        case 2:
             return model::Safety{};
+        default:
+            return model::PushOut{};
     }
 }
 Vec2 position() {
@@ -105,7 +110,10 @@ Vec2 position() {
 }
 
 match::Settings settings() {
-    return {.options = {.call = coin()},
+    return {.options = {.call = coin(),
+                        .nine_on_foot_spot = coin(),
+                        .ten_wins_any_time = coin(),
+                        .target_points = within(1, rules::kMaxTargetPoints + 1)},
             .table = up_to(model::TableSize::NineFoot),
             .physics = up_to(match::PhysicsPreset::Classic),
             .break_order = up_to(match::BreakOrder::Loser),
@@ -123,27 +131,32 @@ model::Layout layout() {
 }
 
 rules::RackState rack() {
-    return {.phase = up_to(rules::Phase::Groups),
+    return {.phase = up_to(rules::Phase::AfterBreak),
             .shooter = seat(),
             .groups = maybe(groups),
             .on_table = model::BallSet::from_bits(any32()),
             .in_hand = up_to(rules::Zone::BehindHeadString),
             .behind_head_string = model::BallSet::from_bits(any32()),
-            .consecutive_fouls = counts()};
+            .consecutive_fouls = counts(),
+            .push_out_allowed = coin(),
+            .scores = scores()};
 }
 
 rules::Verdict verdict() {
-    return {.fouls = some(10, [] { return up_to(rules::Foul::WrongBallStruck); }),
+    return {.fouls = some(10, [] { return up_to(rules::Foul::BreakingFoul); }),
             .turn_continues = coin(),
             .next_player = seat(),
             .in_hand = up_to(rules::Zone::BehindHeadString),
-            .choices = some(5, [] { return up_to(rules::Choice::BallInHandBehindHeadString); }),
+            .choices = some(5, [] { return up_to(rules::Choice::PassBack); }),
             .chooser = maybe(seat),
             .groups = maybe(groups),
             .spotted = balls(),
             .winner = maybe(seat),
             .consecutive_fouls = counts(),
-            .reason = up_to(rules::Reason::ClockRanOut)};
+            .reason = up_to(rules::Reason::Practice),
+            .phase = up_to(rules::Phase::AfterBreak),
+            .score_change = scores(),
+            .rerack = up_to(rules::Rerack::Fifteen)};
 }
 
 match::MatchState state() {

@@ -56,7 +56,9 @@ rules::RackState rack() {
             .on_table = BallSet{BallId{1}, BallId{8}, BallId{15}},
             .in_hand = rules::Zone::BehindHeadString,
             .behind_head_string = BallSet{BallId{1}},
-            .consecutive_fouls = {{1, 2}}};
+            .consecutive_fouls = {{1, 2}},
+            .push_out_allowed = false,
+            .scores = {}};
 }
 
 rules::Verdict verdict() {
@@ -70,7 +72,10 @@ rules::Verdict verdict() {
             .spotted = {BallId{8}, BallId{15}},
             .winner = Seat::First,
             .consecutive_fouls = {{0, 3}},
-            .reason = rules::Reason::ClockRanOut};
+            .reason = rules::Reason::ClockRanOut,
+            .phase = rules::Phase::Open,
+            .score_change = {},
+            .rerack = rules::Rerack::None};
 }
 
 match::MatchState choosing() {
