@@ -1,7 +1,10 @@
 // Holds the classic preset against the original design's own algorithm, stepped frame by frame.
 #include "tests/common/physics/still_life.h"
 
+#include <cmath>
 #include <limits>
+#include <sstream>
+#include <string>
 
 namespace billiards::physics {
 namespace {
@@ -135,13 +138,17 @@ double difference_m(double dt) {
     return largest;
 }
 
-TEST(Classic, IsWhereTheFrameSteppedOriginalConvergesTo) {
-    const double coarse = difference_m(1.0 / 64);
-    const double fine = difference_m(1.0 / 4096);
-    const double finest = difference_m(1.0 / 65536);
-    EXPECT_LT(fine, coarse);
-    EXPECT_LT(finest, fine);
-    EXPECT_LT(finest, 1e-4);
+/// First order: friction comes at the end of each frame, and hits anywhere within it. The errors
+/// are recorded, for docs/physics.md to show: `--gtest_output=json` has them.
+TEST(Classic, IsWhereTheFrameSteppedOriginalConvergesToAtFirstOrder) {
+    constexpr double kMostError_mps = 0.25;  // A frame of dt makes at most 0.22 m/s dt of error.
+    for (int rate_hz = 64; rate_hz <= 65536; rate_hz *= 2) {
+        const double error_m = difference_m(1.0 / rate_hz);
+        EXPECT_LT(error_m, kMostError_mps / rate_hz) << rate_hz << " frames a second";
+        std::ostringstream text;
+        text << error_m;
+        RecordProperty("error_m_at_" + std::to_string(rate_hz) + "_hz", text.str());
+    }
 }
 
 TEST(Classic, BallsGlideAtAConstantDecelerationAndStopAtOneCentimetreASecond) {
