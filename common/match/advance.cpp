@@ -66,7 +66,8 @@ void take_cue_ball_in_hand(model::Layout& layout) {
 void rack_up(MatchState& match, Seat breaker) {
     base::Random random = rack_random(match.seed, match.rack_number);
     const rules::Ruleset& rules = rules::ruleset_of(match.settings.game);
-    match.layout = rules.rack(table_of(match), model::BallSpec{}.radius_m, random);
+    match.layout =
+        rules.rack(match.settings.options, table_of(match), model::BallSpec{}.radius_m, random);
     match.rack = {};
     match.rack.shooter = breaker;
     match.rack.in_hand = Zone::BehindHeadString;

@@ -47,11 +47,6 @@ bool is_playable(const RackState& state, BallId ball) {
     return ball.number < model::kMaxBalls && playable_balls(state).contains(ball);
 }
 
-bool has_fallen(const Facts& facts, BallId ball) {
-    return std::ranges::any_of(facts.pocketed,
-                               [&](const PocketedBall& fallen) { return fallen.ball == ball; });
-}
-
 /// The ball that keeps the shooter at the table, if it is not a foul: the called one in its
 /// pocket, or without calls the first that was the shooter's to play.
 std::optional<BallId> scoring_ball(const RackState& state, const Options& options,
@@ -74,7 +69,7 @@ model::PerSeat<Group> groups_with(Seat seat, Group group) {
 std::vector<Ruling> break_rulings(const RackState& state, const Facts& facts, bool illegal,
                                   bool foul) {
     const bool scratch = facts.cue_ball_lost;
-    const bool eight = has_fallen(facts, kEightBall);
+    const bool eight = fallen_balls(facts).contains(kEightBall);
     const Seat breaker = state.shooter;
     const Seat other = opponent_of(breaker);
     const Zone behind = Zone::BehindHeadString;
@@ -111,14 +106,14 @@ Verdict judge_break(const RackState& state, const Facts& facts) {
 /// How a rack ends: the rulings on an 8 that fell or left the table after the break.
 std::vector<Ruling> eight_rulings(const RackState& state, const Facts& facts, bool foul,
                                   bool called) {
-    const bool eight = has_fallen(facts, kEightBall);
+    const bool eight = fallen_balls(facts).contains(kEightBall);
     const Seat other = opponent_of(state.shooter);
     return {
-        {facts.off_table.contains(kEightBall), Reason::EightOffTable, other},
-        {eight && foul, Reason::EightWithFoul, other},
-        {eight && !is_playable(state, kEightBall), Reason::EightEarly, other},
-        {eight && !called, Reason::EightUncalled, other},
-        {eight, Reason::EightWon, state.shooter},
+        win_for(other, facts.off_table.contains(kEightBall), Reason::EightOffTable),
+        win_for(other, eight && foul, Reason::EightWithFoul),
+        win_for(other, eight && !is_playable(state, kEightBall), Reason::EightEarly),
+        win_for(other, eight && !called, Reason::EightUncalled),
+        win_for(state.shooter, eight, Reason::EightWon),
     };
 }
 
@@ -142,14 +137,8 @@ Verdict judge_after_break(const RackState& state, const Options& options, const 
     const std::optional<BallId> scoring = scoring_ball(state, options, call, facts);
     const bool eight_called = options.call ? scoring == kEightBall : !safety;
 
-    const auto ends = eight_rulings(state, facts, foul, eight_called);
-    if (std::ranges::any_of(ends, &Ruling::applies)) {
-        Verdict verdict = verdict_of(state, std::move(fouls), ends);
-        verdict.winner = verdict.next_player;
-        verdict.turn_continues = false;
-        return verdict;
-    }
-    const auto rulings = turn_rulings(state, facts, foul, safety, scoring.has_value());
+    const auto rulings = in_order(eight_rulings(state, facts, foul, eight_called),
+                                  turn_rulings(state, facts, foul, safety, scoring.has_value()));
     Verdict verdict = verdict_of(state, std::move(fouls), rulings);
     // Where the groups were set before, the ball was the shooter's and this changes nothing.
     if (verdict.reason == Reason::LegalPot) {
@@ -161,7 +150,7 @@ Verdict judge_after_break(const RackState& state, const Options& options, const 
 
 }  // namespace
 
-model::Layout EightBall::rack(const model::TableSpec& table, double radius_m,
+model::Layout EightBall::rack(const Options&, const model::TableSpec& table, double radius_m,
                               base::Random& random) const {
     constexpr std::size_t kMiddle = 4;
     constexpr std::array<std::size_t, 2> kRearCorners{10, 14};

@@ -8,7 +8,7 @@ namespace billiards::rules {
 class EightBall final : public Ruleset {
   public:
     /// The 8 in the middle, one ball of each group at the rear corners, the rest at random.
-    model::Layout rack(const model::TableSpec& table, double radius_m,
+    model::Layout rack(const Options& options, const model::TableSpec& table, double radius_m,
                        base::Random& random) const override;
     model::BallSet legal_first_balls(const RackState& state) const override;
     bool is_call_allowed(const RackState& state, const Options& options,

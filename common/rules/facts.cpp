@@ -2,6 +2,8 @@
 // is known only once that contact is.
 #include "common/rules/facts.h"
 
+#include <algorithm>
+
 namespace billiards::rules {
 
 namespace {
@@ -77,7 +79,8 @@ void note_fall(const ShotEvent& event, Facts& facts) {
 void note_cushion(const ShotEvent& event, const FirstContact& first, Facts& facts) {
     if (!is_driven_to_cushion(event)) return;
     if (event.ball != kCueBall) facts.driven_to_cushion.insert(event.ball);
-    if (first.time_s && event.time_s >= *first.time_s) facts.cushion_after_contact = true;
+    if (first.time_s && event.time_s >= *first.time_s)
+        facts.driven_after_contact.insert(event.ball);
 }
 
 void note_head_string(const ShotEvent& event, const FirstContact& first, Facts& facts) {
@@ -97,6 +100,20 @@ Facts facts_of(std::span<const ShotEvent> events) {
         note_head_string(event, first, facts);
     }
     return facts;
+}
+
+BallSet fallen_balls(const Facts& facts) {
+    BallSet fallen;
+    for (const PocketedBall& pocketed : facts.pocketed) fallen.insert(pocketed.ball);
+    return fallen;
+}
+
+std::optional<BallId> called_ball_down(const Facts& facts, const model::Call& call) {
+    const auto* called = std::get_if<model::CalledBall>(&call);
+    if (called == nullptr) return std::nullopt;
+    const PocketedBall wanted{called->ball, called->pocket};
+    const bool down = std::ranges::find(facts.pocketed, wanted) != facts.pocketed.end();
+    return down ? std::optional(called->ball) : std::nullopt;
 }
 
 }  // namespace billiards::rules

@@ -27,8 +27,8 @@ struct Facts {
     /// Object balls driven to a cushion during the shot: a cushion or jaw event that is not held,
     /// or pocketed, or off the table.
     model::BallSet driven_to_cushion;
-    /// Any ball pocketed, or driven to a cushion at or after the first contact.
-    bool cushion_after_contact = false;
+    /// Any ball, the cue ball too, driven to a cushion at or after the first contact.
+    model::BallSet driven_after_contact;
     /// The cue ball crossed the head string towards +x before its first contact.
     bool crossed_head_string = false;
 
@@ -37,5 +37,11 @@ struct Facts {
 
 /// Events in order of time. Motion and landing say nothing to the rules.
 Facts facts_of(std::span<const model::ShotEvent> events);
+
+/// The object balls that were pocketed.
+model::BallSet fallen_balls(const Facts& facts);
+
+/// The called ball, if it fell into its pocket.
+std::optional<model::BallId> called_ball_down(const Facts& facts, const model::Call& call);
 
 }  // namespace billiards::rules

@@ -20,9 +20,10 @@ class Ruleset {
     virtual ~Ruleset() = default;
 
     /// The racked object balls and the cue ball in hand.
-    virtual model::Layout rack(const model::TableSpec& table, double radius_m,
-                               base::Random& random) const = 0;
-    /// Balls that may be hit first. Empty never: a rack with nothing to hit is over.
+    virtual model::Layout rack(const Options& options, const model::TableSpec& table,
+                               double radius_m, base::Random& random) const = 0;
+    /// Balls that may be hit first. Empty only at practice: elsewhere a rack with nothing to hit is
+    /// over, or is set up again.
     virtual model::BallSet legal_first_balls(const RackState& state) const = 0;
     /// Whether `call` may be said before this shot.
     virtual bool is_call_allowed(const RackState& state, const Options& options,

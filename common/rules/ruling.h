@@ -18,7 +18,14 @@ struct Ruling {
     model::Seat next_player = model::Seat::First;
     Zone in_hand = Zone::None;
     std::vector<Choice> choices = {};
+    bool ends_rack = false;
 };
+
+/// A line that ends the rack.
+Ruling win_for(model::Seat winner, bool applies, Reason reason);
+
+/// One table made of two.
+std::vector<Ruling> in_order(std::vector<Ruling> first, const std::vector<Ruling>& then);
 
 /// The first ruling that applies; one does. Everything that a ruling does not name stays as it was
 /// before the shot.

@@ -27,7 +27,7 @@ std::vector<Foul> standard_fouls(const RackState& state, model::BallSet legal_fi
         {facts.cue_ball_lost, Foul::Scratch},
         {!hit, Foul::NoBallHit},
         {hit && !hit_legal, Foul::WrongBallFirst},
-        {hit && !facts.cushion_after_contact, Foul::NoCushionAfterContact},
+        {hit && facts.driven_after_contact.empty(), Foul::NoCushionAfterContact},
         {!facts.off_table.empty(), Foul::BallOffTable},
         {is_head_string_foul(state, facts), Foul::HeadString},
     };

@@ -39,7 +39,7 @@ std::vector<ShotRecord> breaks(int number) {
     std::vector<ShotRecord> records;
     for (int i = 0; i < number; ++i) {
         model::Layout layout = rules::ruleset_of(rules::Game::EightBall)
-                                   .rack(table(), model::BallSpec{}.radius_m, random);
+                                   .rack({}, table(), model::BallSpec{}.radius_m, random);
         *layout.find(model::kCueBall) = {model::kCueBall, model::Place::OnTable,
                                          model::head_spot(table())};
         records.push_back(played(layout, any_shot(random, 0.0, 0.7, 1.0)));

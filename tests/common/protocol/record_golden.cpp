@@ -21,8 +21,8 @@ void print(const std::string& kind, const std::string& name, std::span<const std
 server::ShotPlayed a_break() {
     const model::TableSpec& table = model::table_of(model::TableSize::EightFoot);
     base::Random random(8);
-    model::Layout layout =
-        rules::ruleset_of(rules::Game::EightBall).rack(table, model::BallSpec{}.radius_m, random);
+    model::Layout layout = rules::ruleset_of(rules::Game::EightBall)
+                               .rack({}, table, model::BallSpec{}.radius_m, random);
     *layout.find(model::kCueBall) = {model::kCueBall, model::Place::OnTable,
                                      model::head_spot(table)};
     server::ShotPlayed played;

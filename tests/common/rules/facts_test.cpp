@@ -62,33 +62,33 @@ TEST(Facts, DrivenToACushionAreNosesJawsPocketsAndTheFloor) {
 TEST(Facts, HeldContactIsNotDrivenToACushion) {
     const Facts facts = ToldShot().hits(1).cushion(1, true).jaw(2, true).facts();
     EXPECT_TRUE(facts.driven_to_cushion.empty());
-    EXPECT_FALSE(facts.cushion_after_contact);
+    EXPECT_TRUE(facts.driven_after_contact.empty());
 }
 
 struct CushionCase {
     const char* what;
     ToldShot shot;
-    bool after_contact;
+    model::BallSet after_contact;
 };
 
-TEST(Facts, CushionAfterContactIsAnyBallAtOrAfterTheFirstContact) {
+TEST(Facts, DrivenAfterContactIsAnyBallAtOrAfterTheFirstContact) {
     const CushionCase cases[] = {
-        {"no contact at all", ToldShot().cushion(0), false},
-        {"cushion only before", ToldShot().cushion(0).hits(3), false},
-        {"object ball to a cushion", ToldShot().hits(3).cushion(3), true},
-        {"cue ball to a cushion", ToldShot().hits(3).cushion(0), true},
-        {"cue ball to a jaw", ToldShot().hits(3).jaw(0), true},
-        {"another ball to a cushion", ToldShot().hits(3).meets(3, 4).cushion(4), true},
-        {"ball pocketed", ToldShot().hits(3).pots(3), true},
-        {"cue ball pocketed", ToldShot().hits(3).pots(0), true},
-        {"ball off the table", ToldShot().hits(3).leaves(3), true},
-        {"cushion at the same instant", ToldShot().hits(3).at_once().cushion(0), true},
-        {"cushion told before its contact", ToldShot().cushion(0).at_once().hits(3), true},
-        {"held by the cushion", ToldShot().hits(3).cushion(3, true), false},
-        {"only rolls", ToldShot().hits(3).moves(3), false},
+        {"no contact at all", ToldShot().cushion(0), {}},
+        {"cushion only before", ToldShot().cushion(0).hits(3), {}},
+        {"object ball to a cushion", ToldShot().hits(3).cushion(3), balls({3})},
+        {"cue ball to a cushion", ToldShot().hits(3).cushion(0), balls({0})},
+        {"cue ball to a jaw", ToldShot().hits(3).jaw(0), balls({0})},
+        {"another ball to a cushion", ToldShot().hits(3).meets(3, 4).cushion(4), balls({4})},
+        {"ball pocketed", ToldShot().hits(3).pots(3), balls({3})},
+        {"cue ball pocketed", ToldShot().hits(3).pots(0), balls({0})},
+        {"ball off the table", ToldShot().hits(3).leaves(3), balls({3})},
+        {"cushion at the same instant", ToldShot().hits(3).at_once().cushion(0), balls({0})},
+        {"cushion told before its contact", ToldShot().cushion(0).at_once().hits(3), balls({0})},
+        {"held by the cushion", ToldShot().hits(3).cushion(3, true), {}},
+        {"only rolls", ToldShot().hits(3).moves(3), {}},
     };
     for (const CushionCase& each : cases) {
-        EXPECT_EQ(each.shot.facts().cushion_after_contact, each.after_contact) << each.what;
+        EXPECT_EQ(each.shot.facts().driven_after_contact, each.after_contact) << each.what;
     }
 }
 
@@ -110,6 +110,25 @@ TEST(Facts, HeadStringIsCrossedTowardsTheFootBeforeTheFirstContact) {
     for (const CrossingCase& each : cases) {
         EXPECT_EQ(each.shot.facts().crossed_head_string, each.crossed) << each.what;
     }
+}
+
+TEST(Facts, FallenBallsAreTheObjectBallsPocketed) {
+    EXPECT_EQ(fallen_balls(ToldShot().hits(3).pots(3).pots(9).pots(0).leaves(4).facts()),
+              balls({3, 9}));
+}
+
+TEST(Facts, CalledBallIsDownOnlyInItsPocket) {
+    const Facts facts = ToldShot().hits(9).pots(9, 4).pots(2, 1).facts();
+    const auto down = [&](int ball, int pocket) {
+        const model::PocketId into{static_cast<std::uint8_t>(pocket)};
+        return called_ball_down(facts, model::CalledBall{ToldShot::id(ball), into});
+    };
+    EXPECT_EQ(down(2, 1), ToldShot::id(2));
+    EXPECT_EQ(down(9, 4), ToldShot::id(9));
+    EXPECT_EQ(down(2, 4), std::nullopt);
+    EXPECT_EQ(down(3, 4), std::nullopt);
+    EXPECT_EQ(called_ball_down(facts, model::NoCall{}), std::nullopt);
+    EXPECT_EQ(called_ball_down(facts, model::Safety{}), std::nullopt);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ constexpr std::size_t kRightCorner = 14;
 model::Layout racked(std::uint64_t seed) {
     base::Random random(seed);
     const model::TableSpec& table = model::table_of(model::TableSize::NineFoot);
-    return eight_ball().rack(table, kRadius_m, random);
+    return eight_ball().rack({}, table, kRadius_m, random);
 }
 
 model::BallId ball_at(const model::Layout& layout, std::size_t place) {
