@@ -19,6 +19,18 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
+/// From a to b. No ball balances on another: where one stands exactly above the other, it meets it
+/// a hair towards the table's centre; so far off its rolling away is a matter of bounces.
+Vec3 pair_normal(const Vec3& a, const Vec3& b) {
+    constexpr double kHair = 1e-6;
+    const Vec3 offset = b - a;
+    if (offset.x != 0.0 || offset.y != 0.0) return offset / std::sqrt(glm::dot(offset, offset));
+    const double from_centre = std::sqrt(a.x * a.x + a.y * a.y);
+    const Vec3 inward = from_centre > 0.0 ? Vec3{-a.x, -a.y, 0.0} / from_centre : Vec3{1, 0, 0};
+    const double up = offset.z > 0.0 ? 1.0 : -1.0;
+    return {up * kHair * inward.x, up * kHair * inward.y, up};
+}
+
 }  // namespace
 
 void Cluster::gather(const TableShape& shape, std::span<const Mover> movers, int mover,
@@ -52,8 +64,10 @@ int Cluster::body_of(std::span<const Mover> movers, int mover, double now_s) {
 }
 
 void Cluster::add_pair(int a, int b) {
-    const Vec3 offset = bodies[at(b)].state.position_m - bodies[at(a)].state.position_m;
-    contacts.push_back({.a = a, .b = b, .normal = offset / std::sqrt(glm::dot(offset, offset))});
+    contacts.push_back(
+        {.a = a,
+         .b = b,
+         .normal = pair_normal(bodies[at(a)].state.position_m, bodies[at(b)].state.position_m)});
 }
 
 void Cluster::add_fixed(const TableShape& shape, int body, FixedIndex fixed) {
@@ -67,9 +81,13 @@ void Cluster::add_fixed(const TableShape& shape, int body, FixedIndex fixed) {
                         .fixed = fixed});
 }
 
-bool Cluster::has_contact(int body, FixedIndex fixed) const {
+/// Parts of a cushion that stop a ball in the same direction, such as two segments in one line
+/// where they meet, are one.
+bool Cluster::is_stopped_towards(int body, const base::Vec2& into) const {
+    constexpr double kSameWay = 1.0 - 1e-12;
     return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
-        return contact.a == body && contact.b == Contact::kFixed && contact.fixed == fixed;
+        return contact.a == body && contact.b == Contact::kFixed &&
+               glm::dot(contact.into, into) > kSameWay;
     });
 }
 
@@ -97,7 +115,8 @@ void Cluster::look_for_fixed(const TableShape& shape, int body) {
     touching_.clear();
     add_touching(shape, ball.state.position_m, ball.spec.radius_m, touching_);
     for (const FixedIndex fixed : touching_) {
-        if (!has_contact(body, fixed)) add_fixed(shape, body, fixed);
+        const Nearness near = nearness(shape, fixed, ball.state.position_m, ball.spec.radius_m);
+        if (!is_stopped_towards(body, near.into)) add_fixed(shape, body, fixed);
     }
 }
 

@@ -26,7 +26,7 @@ class Cluster {
 
   private:
     int body_of(std::span<const Mover> movers, int mover, double now_s);
-    bool has_contact(int body, FixedIndex fixed) const;
+    bool is_stopped_towards(int body, const base::Vec2& into) const;
     void add_pair(int a, int b);
     void add_fixed(const TableShape& shape, int body, FixedIndex fixed);
     void look_for_balls(std::span<const Mover> movers, int body, double now_s);

@@ -73,12 +73,12 @@ int IslandSolver::solve(std::span<Body> bodies, std::span<Contact> contacts, con
     while (rounds < max_rounds && find_closing(bodies, contacts)) {
         ++rounds;
         find_impulses(bodies, contacts);
-        if (is_slow(contacts)) {
+        if (is_slow(contacts, resting.floor_mps)) {
             part_slowly(bodies, contacts, still_resting);
         } else {
             reflect(bodies, contacts);
         }
-        still_resting = {};
+        still_resting = {.floor_mps = resting.floor_mps};
     }
     return rounds;
 }
@@ -115,10 +115,10 @@ void IslandSolver::find_impulses(std::span<const Body> bodies, std::span<const C
     impulses_.assign(solved.begin(), solved.end());
 }
 
-bool IslandSolver::is_slow(std::span<const Contact> contacts) const {
+bool IslandSolver::is_slow(std::span<const Contact> contacts, double floor_mps) const {
     for (std::size_t i = 0; i < closing_.size(); ++i) {
         const double e = restitution_of(parameters_, contacts[closing_[i]]);
-        if (e * speeds_[i] >= kFloor_mps) return false;
+        if (e * speeds_[i] >= floor_mps) return false;
     }
     return true;
 }
@@ -134,7 +134,7 @@ void IslandSolver::part_slowly(std::span<Body> bodies, std::span<const Contact> 
     const double fastest = *std::max_element(speeds_.begin(), speeds_.end());
     const double paid_for =
         resting.is_pressed ? std::sqrt(1.0 + 2.0 * resting.lost_energy_j / taken) : 1.0;
-    reflect_plainly(bodies, contacts, 1.0 + std::min(kFloor_mps / fastest, paid_for));
+    reflect_plainly(bodies, contacts, 1.0 + std::min(resting.floor_mps / fastest, paid_for));
 }
 
 /// Each model of a collision loses energy alone. Several at once can add some through each other's

@@ -27,10 +27,14 @@ struct Contact {
     bool has_struck = false;  ///< Out: an impulse passed here.
 };
 
+/// Restitution times closing speed under this is slow.
+inline constexpr double kFloor_mps = 0.005;
+
 /// Energy that the balls of pressed contacts have just lost to the slate: what a bounce may use.
 struct Resting {
     bool is_pressed = false;
     double lost_energy_j = 0.0;
+    double floor_mps = kFloor_mps;
 };
 
 /// Solves islands; keeps its memory from one to the next.
@@ -41,7 +45,7 @@ class IslandSolver {
     /// Rounds of generalized reflections (Smith et al., "Reflections on simultaneous impact",
     /// SIGGRAPH 2012) until no contact closes: in each, the contacts that close are stopped
     /// together and thrown back by their restitution; friction follows from the one state that
-    /// this leaves. Where all close so slowly that restitution times speed is under kFloor_mps,
+    /// this leaves. Where all close so slowly that restitution times speed is under the floor,
     /// they part without friction, a little faster than they closed where `resting` pays for it,
     /// and never faster than the floor: so a pressed contact bounces by micrometres a few hundred
     /// times a second instead of for ever. Energy never rises beyond what `resting` allows. Returns
@@ -57,7 +61,7 @@ class IslandSolver {
 
     bool find_closing(std::span<const Body> bodies, std::span<Contact> contacts);
     void find_impulses(std::span<const Body> bodies, std::span<const Contact> contacts);
-    bool is_slow(std::span<const Contact> contacts) const;
+    bool is_slow(std::span<const Contact> contacts, double floor_mps) const;
     void part_slowly(std::span<Body> bodies, std::span<const Contact> contacts,
                      const Resting& resting);
     void reflect(std::span<Body> bodies, std::span<const Contact> contacts);
@@ -77,9 +81,6 @@ class IslandSolver {
     std::vector<Change> changes_;
     std::vector<Body> before_;
 };
-
-/// Restitution times closing speed under this is slow.
-inline constexpr double kFloor_mps = 0.005;
 
 /// How fast a and b, or a and the fixed thing, approach along the contact's normal.
 double closing_speed_mps(std::span<const Body> bodies, const Contact& contact);

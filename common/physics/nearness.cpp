@@ -4,6 +4,7 @@
 #include "common/physics/detect.h"
 #include "common/physics/forecast.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace billiards::physics {
@@ -51,6 +52,14 @@ Nearness nearness(const TableShape& shape, FixedIndex fixed, const Vec3& positio
         return wall_nearness(shape, shape.walls[fixed], position_m, radius_m);
     }
     return post_nearness(shape, shape.posts[fixed - shape.walls.size()], position_m, radius_m);
+}
+
+bool adjoin(const TableShape& shape, FixedIndex a, FixedIndex b) {
+    if (is_post(shape, a) == is_post(shape, b)) return false;
+    const Wall& wall = shape.walls[std::min(a, b)];
+    const Post& post = shape.posts[std::max(a, b) - shape.walls.size()];
+    return is_at_end(post, wall.from_m) ||
+           is_at_end(post, wall.from_m + wall.length_m * wall.along);
 }
 
 void add_touching(const TableShape& shape, const Vec3& position_m, double radius_m,

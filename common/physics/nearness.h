@@ -33,6 +33,9 @@ struct Nearness {
 Nearness nearness(const TableShape& shape, FixedIndex fixed, const base::Vec3& position_m,
                   double radius_m);
 
+/// Whether they are parts of one cushion: a wall, and the post that an end of it runs into.
+bool adjoin(const TableShape& shape, FixedIndex a, FixedIndex b);
+
 /// Adds every wall that faces the ball, and every post, within kTouching_m.
 void add_touching(const TableShape& shape, const base::Vec3& position_m, double radius_m,
                   std::vector<FixedIndex>& touching);

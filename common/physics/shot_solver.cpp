@@ -173,13 +173,22 @@ void ShotSolver::collide(int ball, const Next& met) {
     if (!cluster_.contacts[0].has_struck) look_again(cluster_.contacts[0]);
 }
 
+/// A long row of balls that a spinning one keeps pressing has too many contacts for each to bounce
+/// by micrometres until all rest: the longer a shot goes on, the higher they may.
+double ShotSolver::floor_mps() const {
+    constexpr int kPatience = 2'500;
+    constexpr int kMostDoublings = 4;
+    return kFloor_mps * (1 << std::min(events_ / kPatience, kMostDoublings));
+}
+
 /// Only a contact that opened so little since the latest event is pressed; one that comes from
 /// further away has no claim on energy that was lost on its way.
 Resting ShotSolver::resting() const {
     const Contact& trigger = cluster_.contacts[0];
     const bool is_pair = trigger.b != Contact::kFixed;
     const double e = is_pair ? ball_ball_restitution(parameters_) : parameters_.cushion_restitution;
-    if (e * closing_speed_mps(cluster_.bodies, trigger) >= kFloor_mps) return {};
+    Resting resting{.floor_mps = floor_mps()};
+    if (e * closing_speed_mps(cluster_.bodies, trigger) >= resting.floor_mps) return resting;
 
     const Mover& a = movers_[at(cluster_.members[at(trigger.a)])];
     double since = std::max(before_s_, a.plan.segment.start_s);
@@ -193,8 +202,9 @@ Resting ShotSolver::resting() const {
         const Vec3 position = position_at(a.plan.segment, since);
         gap = nearness(shape_, trigger.fixed, position, a.spec.radius_m).gap_m;
     }
-    if (gap > kLeft_m) return {};
-    return {.is_pressed = true, .lost_energy_j = lost_energy_j()};
+    resting.is_pressed = gap <= kLeft_m;
+    if (resting.is_pressed) resting.lost_energy_j = lost_energy_j();
+    return resting;
 }
 
 /// What the balls of the cluster lost to the slate since the latest earlier instant.
@@ -226,10 +236,12 @@ void ShotSolver::record_contact(const Contact& contact) {
     }
 }
 
-/// Whether the ball was touching it and has not left it. Only along its present plan: earlier plans
-/// were looked at as they ended.
+/// Whether the ball was touching it, or the part of the cushion that runs into it, and has not left
+/// that. Only along its present plan: earlier plans were looked at as they ended.
 bool ShotSolver::is_leaning(const Mover& mover, FixedIndex fixed) const {
-    return mover.leanings.contains(fixed) && !has_left(mover, fixed);
+    return std::any_of(mover.leanings.begin(), mover.leanings.end(), [&](FixedIndex touched) {
+        return (touched == fixed || adjoin(shape_, touched, fixed)) && !has_left(mover, touched);
+    });
 }
 
 bool ShotSolver::has_left(const Mover& mover, FixedIndex fixed) const {

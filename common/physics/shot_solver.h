@@ -32,6 +32,7 @@ class ShotSolver {
     void end_motion(int ball);
     void land(int ball);
     void collide(int ball, const Next& met);
+    double floor_mps() const;
     Resting resting() const;
     double lost_energy_j() const;
     void record_contact(const Contact& contact);

@@ -10,9 +10,6 @@ namespace {
 
 using base::Vec2;
 
-/// An arc belongs to a segment's end that its circle passes this near (table_spec.h).
-constexpr double kArcSlack_m = 1e-6;
-
 Wall wall_of(const model::CushionSegment& segment) {
     Wall wall{.from_m = segment.from_m};
     const Vec2 span = segment.to_m - segment.from_m;
@@ -37,11 +34,8 @@ Pocket pocket_of(const model::PocketCircle& circle) {
 }
 
 bool has_post(const std::vector<Post>& posts, const Vec2& end) {
-    return std::any_of(posts.begin(), posts.end(), [&](const Post& post) {
-        const Vec2 offset = end - post.center_m;
-        const double distance = std::sqrt(offset.x * offset.x + offset.y * offset.y);
-        return std::abs(distance - post.radius_m) <= kArcSlack_m;
-    });
+    return std::any_of(posts.begin(), posts.end(),
+                       [&](const Post& post) { return is_at_end(post, end); });
 }
 
 }  // namespace
@@ -88,6 +82,13 @@ void TableShape::find_calm(double largest_radius_m) {
                          std::none_of(posts.begin(), posts.end(), is_near_post) &&
                          std::none_of(pockets.begin(), pockets.end(), is_near_pocket);
     if (is_free) calm = inside;
+}
+
+bool is_at_end(const Post& post, const Vec2& end) {
+    constexpr double kSlack_m = 1e-6;
+    const Vec2 offset = end - post.center_m;
+    const double distance = std::sqrt(offset.x * offset.x + offset.y * offset.y);
+    return std::abs(distance - post.radius_m) <= kSlack_m;
 }
 
 bool is_behind_nose(const TableShape& shape, const Vec2& point) {

@@ -83,6 +83,9 @@ inline double foot_m(const Wall& wall, const base::Vec2& point) {
     return glm::dot(wall.along, point - wall.from_m);
 }
 
+/// Whether the post's circle passes through this end of a wall (table_spec.h).
+bool is_at_end(const Post& post, const base::Vec2& end);
+
 /// Whether the foot falls on the wall.
 inline bool faces(const Wall& wall, const base::Vec2& point) {
     constexpr double kSlack_m = 1e-12;

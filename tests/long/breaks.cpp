@@ -48,7 +48,9 @@ Case case_of(std::uint64_t number) {
     const std::uint64_t kind = number % kKinds;
     const auto& table = model::table_of(static_cast<model::TableSize>(random.below(3)));
     Case made{table, {}, {}};
-    if (kind >= 5 && random.below(4) == 0) made.parameters = physics::classic_parameters();
+    // Nothing flies in the original design.
+    const bool may_be_classic = kind == 5 || kind == 6;
+    if (may_be_classic && random.below(4) == 0) made.parameters = physics::classic_parameters();
     if (kind >= 5 && random.below(4) == 0) {
         made.parameters.ball_ball = physics::BallBallModel::Elastic;
     }
