@@ -21,6 +21,9 @@ set(rooms
     "client/app: common client/app"
     "client/playback: common client/app client/playback"
     "client/net: common client/app client/net"
+    "client/scene: common client/app client/playback client/scene"
+    "client/input: common client/input"
+    "client/play: common client/app client/input client/net client/playback client/play"
     "tools: common client server tools")
 
 # pattern in angle brackets: the only places that may include it.

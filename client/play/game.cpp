@@ -1,0 +1,253 @@
+// Takes hands, messages and time; gives the state of the screen, and the next thing to say.
+#include "client/play/game.h"
+
+#include "client/app/reduce.h"
+#include "common/base/hash.h"
+
+#include <chrono>
+#include <utility>
+
+namespace billiards::client {
+
+namespace {
+
+namespace server = protocol::server;
+
+constexpr base::Duration kAimEvery = std::chrono::milliseconds(100);
+
+}  // namespace
+
+void Game::connect(const ServerAddress& address, const std::string& name, Errand errand,
+                   std::optional<protocol::ResumeToken> token) {
+    disconnect();
+    errand_ = std::move(errand);
+    ServerLinkOptions options;
+    options.address = address;
+    options.name = name;
+    options.token = token;
+    options.seed = seed_;
+    link_ = std::make_unique<ServerLink>(std::move(options));
+}
+
+void Game::disconnect() {
+    link_.reset();
+    lost_.clear();
+    refusal_.clear();
+    coming_back_ = false;
+    state_ = {};
+    presentation_.leave();
+    placing_.reset();
+    turn_.reset();
+    awaited_.reset();
+    shoots_once_placed_ = false;
+}
+
+void Game::advance(base::Instant now) {
+    now_ = now;
+    while (link_) {
+        const std::optional<LinkEvent> event = link_->poll();
+        if (!event) break;
+        take(*event);
+    }
+    presentation_.advance(now);
+    start_turn_if_new();
+    send_seen();
+    show_aim(now);
+}
+
+void Game::take(const LinkEvent& event) {
+    std::visit([this](const auto& each) { on(each); }, event);
+}
+
+void Game::on(const Arrived& arrived) {
+    const std::optional<TableView> before = state_.table;
+    state_ = reduce(std::move(state_), arrived.message, arrived.at);
+    const base::Duration offset = state_.clock_offset.value_or(base::Duration::zero());
+    if (std::holds_alternative<server::TableSnapshot>(arrived.message)) {
+        awaited_.reset();
+        turn_.reset();
+        presentation_.enter(*state_.table, offset);
+    } else if (!state_.table) {
+        presentation_.leave();
+    } else if (before && *before != *state_.table) {
+        presentation_.received(*before, *state_.table, arrived.message, offset);
+    }
+    if (std::holds_alternative<server::Welcome>(arrived.message)) {
+        lost_.clear();
+        coming_back_ = false;
+        if (!state_.table) run_errand();
+    } else if (const auto* refused = std::get_if<server::Refused>(&arrived.message)) {
+        refusal_ = refused->detail;
+        if (refused->in_reply_to == awaited_) awaited_.reset(), shoots_once_placed_ = false;
+    }
+}
+
+void Game::on(const LinkLost& lost) {
+    state_.link = LinkState::Lost;
+    lost_ = lost.lost.reason;
+    coming_back_ = lost.retry_after.has_value();
+    if (!coming_back_) link_.reset();
+}
+
+void Game::run_errand() {
+    if (const auto* open = std::get_if<OpenTable>(&errand_)) {
+        send(open->table);
+    } else if (const auto* go = std::get_if<GoToTable>(&errand_)) {
+        send(go->join);
+    } else {
+        send(protocol::client::ListTables{});
+    }
+}
+
+std::vector<ShownBall> Game::balls(base::Instant now) const {
+    std::vector<ShownBall> balls = presentation_.balls(now);
+    if (!placing_) return balls;
+    std::erase_if(balls, [](const ShownBall& ball) { return ball.ball == model::kCueBall; });
+    ShownBall held;
+    held.ball = model::kCueBall;
+    held.radius_m = model::BallSpec{}.radius_m;
+    held.state.position_m = base::Vec3(placing_->position_m(), held.radius_m);
+    balls.insert(balls.begin(), held);
+    return balls;
+}
+
+void Game::list_tables() {
+    send(protocol::client::ListTables{});
+}
+
+void Game::join(protocol::TableId table, protocol::Role role) {
+    send(protocol::client::Join{.table = table, .role = role});
+}
+
+void Game::open_table(const protocol::client::CreateTable& table) {
+    send(table);
+}
+
+void Game::ready() {
+    send(protocol::client::Ready{});
+}
+
+void Game::leave_table() {
+    send(protocol::client::Leave{});
+}
+
+std::optional<model::Seat> Game::acting() const {
+    if (!is_connected() || awaited_ || presentation_.rolling() != nullptr) return std::nullopt;
+    const std::optional<model::Seat> seat = my_turn(state_);
+    if (!seat) return std::nullopt;
+    const auto opens = local_time_of(state_, state_.table->turn.opens_us);
+    return opens && *opens <= now_ ? seat : std::nullopt;
+}
+
+std::optional<base::Vec2> Game::cue_ball_m() const {
+    if (placing_) return placing_->position_m();
+    const TableView* table = presentation_.table();
+    if (table == nullptr || !table->match) return std::nullopt;
+    const model::PlacedBall* cue_ball = table->match->layout.find(model::kCueBall);
+    if (cue_ball == nullptr || cue_ball->place != model::Place::OnTable) return std::nullopt;
+    return cue_ball->position_m;
+}
+
+void Game::shoot() {
+    if (!acting() || state_.table->match->stage != match::Stage::Shooting) return;
+    if (placing_ && !placing_->is_down()) {
+        set_down();
+        shoots_once_placed_ = awaited_.has_value();
+        return;
+    }
+    send_move(protocol::client::TakeShot{
+        .turn = *turn_, .shot_id = next_shot_id(), .shot = shot_.shot(), .call = shot_.call()});
+}
+
+void Game::move_cue_ball(base::Vec2 by_m) {
+    if (placing_ && acting()) placing_->move(by_m);
+}
+
+void Game::hold_cue_ball_at(base::Vec2 at_m) {
+    if (placing_ && acting()) placing_->hold_at(at_m);
+}
+
+void Game::set_down() {
+    if (!placing_ || !acting() || placing_->is_down()) return;
+    if (!placing_->is_legal()) {
+        refusal_ = "the cue ball may not lie there";
+        return;
+    }
+    send_move(protocol::client::PlaceCueBall{.turn = *turn_, .position_m = placing_->position_m()});
+}
+
+void Game::choose(rules::Choice choice) {
+    if (acting()) send_move(protocol::client::Choose{.turn = *turn_, .choice = choice});
+}
+
+void Game::concede() {
+    send(protocol::client::Concede{});
+}
+
+void Game::chat(const std::string& text) {
+    send(protocol::client::Chat{.text = text});
+}
+
+void Game::skip_roll() {
+    presentation_.skip();
+}
+
+/// Once the balls of the last shot rest and it is this screen's turn.
+void Game::start_turn_if_new() {
+    if (presentation_.rolling() != nullptr) return;
+    const std::optional<model::Seat> seat = my_turn(state_);
+    if (!seat) {
+        placing_.reset();
+        turn_.reset();
+        return;
+    }
+    const match::MatchState& match = *state_.table->match;
+    const bool in_hand =
+        match.rack.in_hand != rules::Zone::None && match.stage == match::Stage::Shooting;
+    if (turn_ != match.turn) {
+        turn_ = match.turn;
+        awaited_.reset();
+        shot_.start_turn();
+        placing_.reset();
+        if (in_hand) placing_.emplace(match);
+    } else if (placing_) {
+        placing_->update(match);
+        if (placing_->is_down() && awaited_) {
+            awaited_.reset();
+            if (std::exchange(shoots_once_placed_, false)) shoot();
+        }
+    }
+}
+
+void Game::send_seen() {
+    const std::optional<std::uint64_t> sequence = presentation_.take_seen();
+    if (!sequence || !state_.table || state_.table->my_seats.empty()) return;
+    send(protocol::client::Seen{.sequence = *sequence});
+}
+
+/// Lets the others see where the cue points.
+void Game::show_aim(base::Instant now) {
+    if (!acting() || state_.table->match->stage != match::Stage::Shooting) return;
+    if (shown_aim_ == shot_.shot() || now - aim_sent_at_ < kAimEvery) return;
+    shown_aim_ = shot_.shot();
+    aim_sent_at_ = now;
+    send(protocol::client::Aim{.turn = *turn_, .shot = shot_.shot()});
+}
+
+std::uint32_t Game::send(protocol::ClientMessageBody body) {
+    return link_ ? link_->send(std::move(body)) : 0;
+}
+
+void Game::send_move(protocol::ClientMessageBody body) {
+    refusal_.clear();
+    awaited_ = send(std::move(body));
+}
+
+std::uint64_t Game::next_shot_id() {
+    base::Hasher hasher;
+    hasher.add(seed_);
+    hasher.add(++shots_sent_);
+    return hasher.digest();
+}
+
+}  // namespace billiards::client

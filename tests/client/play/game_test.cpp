@@ -1,0 +1,162 @@
+// Plays on a real server through a screen's hands; gives whether everything a person does arrives,
+// and everything that happens is shown.
+#include "client/play/game.h"
+
+#include "client/net/clock.h"
+#include "tests/tools/test_server.h"
+
+#include <chrono>
+#include <functional>
+#include <gtest/gtest.h>
+#include <thread>
+#include <vector>
+
+namespace billiards::client {
+namespace {
+
+using model::Seat;
+
+protocol::client::CreateTable a_table(protocol::Role role) {
+    protocol::client::CreateTable table;
+    table.name = "Ours";
+    table.role = role;
+    table.settings.race_to = 1;
+    return table;
+}
+
+class GameTest : public testing::Test {
+  protected:
+    /// Draws frames of all screens until the condition holds; false: it never did.
+    bool until(const std::vector<Game*>& screens, const std::function<bool()>& condition) {
+        const base::Instant limit = local_now() + std::chrono::seconds(20);
+        while (local_now() < limit) {
+            for (Game* screen : screens) screen->advance(local_now());
+            if (condition()) return true;
+            std::this_thread::yield();
+        }
+        return false;
+    }
+
+    /// Two players at one screen, before their first break.
+    void sit_down(Game& here) {
+        here.connect(server_.address(), "Ada", OpenTable{a_table(protocol::Role::BothSeats)});
+        ASSERT_TRUE(until({&here}, [&] { return here.known().table.has_value(); }));
+        here.ready();
+        ASSERT_TRUE(until({&here}, [&] { return here.acting().has_value(); }));
+    }
+
+    tools::TestServer server_;
+};
+
+TEST_F(GameTest, TwoPlayersAtOneScreenBreakAndPlayOn) {
+    Game here(1);
+    sit_down(here);
+    ASSERT_TRUE(here.placing());
+    here.shot().set_power(0.9);
+    here.shoot();
+    ASSERT_TRUE(until({&here}, [&] { return here.presentation().rolling() != nullptr; }));
+    EXPECT_FALSE(here.acting()) << "nobody acts while the balls roll";
+    here.skip_roll();
+    ASSERT_TRUE(until({&here}, [&] { return here.acting().has_value(); }));
+    EXPECT_EQ(here.known().table->match->shots_played, 1);
+    EXPECT_EQ(here.presentation().lines().size(), 1U);
+}
+
+TEST_F(GameTest, TheCueBallIsSetDownWhereItWasMoved) {
+    Game here(1);
+    sit_down(here);
+    here.hold_cue_ball_at({-0.8, 0.1});
+    here.move_cue_ball({0.0, kNudge_m});
+    EXPECT_EQ(here.cue_ball_m(), base::Vec2(-0.8, 0.101));
+    here.set_down();
+    ASSERT_TRUE(until({&here}, [&] { return here.placing()->is_down(); }));
+    EXPECT_EQ(here.known().table->match->layout.find(model::kCueBall)->position_m,
+              base::Vec2(-0.8, 0.101));
+}
+
+TEST_F(GameTest, AnIllegalPlaceIsRefusedBeforeItIsSent) {
+    Game here(1);
+    sit_down(here);
+    here.hold_cue_ball_at({0.3, 0.0});
+    here.shoot();
+    EXPECT_FALSE(here.refusal().empty());
+    EXPECT_TRUE(here.acting()) << "nothing was sent";
+}
+
+TEST_F(GameTest, TwoScreensAndAWatcherSeeTheSameShot) {
+    Game ada(1);
+    Game grace(2);
+    Game mary(3);
+    const std::vector<Game*> all{&ada, &grace, &mary};
+    ada.connect(server_.address(), "Ada", OpenTable{a_table(protocol::Role::Player)});
+    ASSERT_TRUE(until(all, [&] { return ada.known().table.has_value(); }));
+    const protocol::TableId table = ada.known().table->row.table;
+    mary.connect(server_.address(), "Mary", GoToTable{{table, protocol::Role::Spectator}});
+    grace.connect(server_.address(), "Grace", GoToTable{{table, protocol::Role::Player}});
+    ASSERT_TRUE(until(
+        all, [&] { return grace.known().table.has_value() && mary.known().table.has_value(); }));
+    ada.ready();
+    grace.ready();
+    ASSERT_TRUE(until(all, [&] { return ada.acting() || grace.acting(); }));
+    Game& breaker = ada.acting() ? ada : grace;
+    breaker.shot().set_power(1.0);
+    breaker.shoot();
+    const auto all_saw = [&] {
+        return ada.known().table->last_shot && grace.known().table->last_shot &&
+               mary.known().table->last_shot;
+    };
+    ASSERT_TRUE(until(all, all_saw));
+    EXPECT_EQ(ada.known().table->last_shot, grace.known().table->last_shot);
+    EXPECT_EQ(ada.known().table->last_shot, mary.known().table->last_shot);
+    EXPECT_FALSE(mary.acting());
+}
+
+TEST_F(GameTest, AWatcherSeesWhereThePlayerAims) {
+    Game here(1);
+    Game mary(3);
+    sit_down(here);
+    const protocol::TableId table = here.known().table->row.table;
+    mary.connect(server_.address(), "Mary", GoToTable{{table, protocol::Role::Spectator}});
+    ASSERT_TRUE(until({&here, &mary}, [&] { return mary.known().table.has_value(); }));
+    here.shot().set_angle(0.25);
+    ASSERT_TRUE(until({&here, &mary}, [&] {
+        const auto& aim = mary.known().table->aim;
+        return aim && aim->shot.angle_rad == 0.25;
+    }));
+}
+
+TEST_F(GameTest, AServerThatIsNotThereIsToldInWords) {
+    Game here(1);
+    here.connect({.host = "127.0.0.1", .port = 1}, "Ada", LookAround{});
+    ASSERT_TRUE(until({&here}, [&] { return !here.lost().empty(); }));
+    EXPECT_FALSE(here.is_coming_back());
+}
+
+TEST_F(GameTest, TheLobbyListsTheTables) {
+    Game here(1);
+    Game mary(3);
+    sit_down(here);
+    mary.connect(server_.address(), "Mary", LookAround{});
+    ASSERT_TRUE(until({&here, &mary}, [&] { return !mary.known().tables.empty(); }));
+    mary.join(mary.known().tables.front().table, protocol::Role::Spectator);
+    EXPECT_TRUE(until({&here, &mary}, [&] { return mary.known().table.has_value(); }));
+}
+
+TEST_F(GameTest, AScreenComesBackToItsTableWhenTheServerStartsAgain) {
+    Game here(1);
+    sit_down(here);
+    here.shot().set_power(0.9);
+    here.shoot();
+    ASSERT_TRUE(until({&here}, [&] { return here.presentation().rolling() != nullptr; }));
+    server_.restart();
+    ASSERT_TRUE(until({&here}, [&] { return !here.is_connected(); }));
+    EXPECT_TRUE(here.is_coming_back());
+    ASSERT_TRUE(until({&here}, [&] {
+        here.skip_roll();
+        return here.acting().has_value();
+    }));
+    EXPECT_EQ(here.known().table->match->shots_played, 1);
+}
+
+}  // namespace
+}  // namespace billiards::client
