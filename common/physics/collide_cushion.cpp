@@ -1,6 +1,8 @@
 // Takes a ball that drives into a cushion's nose; gives its change, by the model that is asked for.
 #include "common/physics/collide_cushion.h"
 
+#include "common/physics/cushion_mathavan.h"
+#include "common/physics/cushion_stronge.h"
 #include "common/physics/motion.h"
 
 #include <algorithm>
@@ -68,8 +70,19 @@ Vec3 nose_normal(const NoseContact& contact, bool is_on_slate) {
 }
 
 Kick cushion_kick(const Parameters& parameters, const Body& ball, const NoseContact& contact) {
-    return parameters.cushion == CushionModel::Han2005 ? han_kick(parameters, ball, contact)
-                                                       : mirror_kick(parameters, ball, contact);
+    switch (parameters.cushion) {
+        case CushionModel::Han2005:
+            return han_kick(parameters, ball, contact);
+        case CushionModel::Mathavan2010:
+            // Without the slate the slip keeps its direction, and the integral is Han's formula.
+            return ball.is_on_slate ? mathavan_kick(parameters, ball, contact)
+                                    : han_kick(parameters, ball, contact);
+        case CushionModel::Stronge:
+            return stronge_kick(parameters, ball, contact);
+        case CushionModel::Mirror:
+            return mirror_kick(parameters, ball, contact);
+    }
+    return {};
 }
 
 }  // namespace billiards::physics

@@ -17,6 +17,9 @@ struct NoseContact {
 /// points at the nose.
 base::Vec3 nose_normal(const NoseContact& contact, bool is_on_slate);
 
+/// What the model of these parameters does. The slip comes from the ball, the speed that the
+/// cushion stops and throws back from `contact`: with one contact that is the ball's own; where the
+/// ball touches more at once it is this contact's share. Alone it never adds energy.
 Kick cushion_kick(const Parameters& parameters, const Body& ball, const NoseContact& contact);
 
 }  // namespace billiards::physics

@@ -11,8 +11,10 @@ enum class BallBallModel : std::uint8_t {
 };
 
 enum class CushionModel : std::uint8_t {
-    Han2005,  ///< Han, "Dynamics in carom and three cushion billiards", JMST 19 (2005).
-    Mirror,   ///< Reflect, then scale the speed by the restitution.
+    Han2005,       ///< Han, "Dynamics in carom and three cushion billiards", JMST 19 (2005).
+    Mathavan2010,  ///< Friction at nose and slate, integrated: cushion_mathavan.h.
+    Stronge,       ///< Normal and tangential springs: cushion_stronge.h.
+    Mirror,        ///< Reflect, then scale the speed by the restitution.
 };
 
 /// Sources: A = Alciatore, "Physical properties of balls, cushions and cloth"
