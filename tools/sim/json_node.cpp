@@ -2,6 +2,7 @@
 #include "tools/sim/json_node.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace billiards::tools {
 
@@ -26,6 +27,22 @@ double JsonNode::number_or(double fallback) const {
     return is_present() ? number() : fallback;
 }
 
+int JsonNode::integer(int least, int most) const {
+    const double value = number();
+    if (value >= least && value <= most && value == std::floor(value)) {
+        return static_cast<int>(value);
+    }
+    report("must be a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    return least;
+}
+
+bool JsonNode::truth_or(bool fallback) const {
+    if (!is_present()) return fallback;
+    if (value_->is_boolean()) return value_->get<bool>();
+    report("must be true or false");
+    return fallback;
+}
+
 std::string JsonNode::text() const {
     if (is_text()) return value_->get<std::string>();
     report(is_present() ? "must be a string" : "is missing");
@@ -36,7 +53,7 @@ std::string JsonNode::text_or(const std::string& fallback) const {
     return is_present() ? text() : fallback;
 }
 
-std::size_t JsonNode::one_of(std::initializer_list<const char*> words) const {
+std::size_t JsonNode::one_of(std::span<const char* const> words) const {
     const std::string word = text();
     const auto found = std::find(words.begin(), words.end(), word);
     if (found != words.end()) return static_cast<std::size_t>(found - words.begin());

@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,10 +48,16 @@ class JsonNode {
 
     double number() const;
     double number_or(double fallback) const;
+    /// A whole number in [least, most]; `least`, with a fault, where none stands here.
+    int integer(int least, int most) const;
+    bool truth_or(bool fallback) const;
     std::string text() const;
     std::string text_or(const std::string& fallback) const;
     /// Which of these words stands here; 0, with a fault, where none does.
-    std::size_t one_of(std::initializer_list<const char*> words) const;
+    std::size_t one_of(std::span<const char* const> words) const;
+    std::size_t one_of(std::initializer_list<const char*> words) const {
+        return one_of(std::span(words.begin(), words.size()));
+    }
     base::Vec2 pair() const;
     base::Vec2 pair_or(const base::Vec2& fallback) const;
     /// Three numbers, or two where `height` says what the third is.

@@ -1,6 +1,7 @@
 // Takes the command line and cases on standard input; gives answers on standard output.
 #include "tools/sim/bench.h"
 #include "tools/sim/case_stream.h"
+#include "tools/sim/judge.h"
 #include "tools/sim/solve.h"
 
 #include <CLI/CLI.hpp>
@@ -22,12 +23,15 @@ int answer(const AnswerCase& answer_case, bool is_by_line) {
 }
 
 int run(int argc, char** argv) {
-    CLI::App app{"The physics of gl-billiards without a game: JSON in, JSON out"};
+    CLI::App app{"The physics and the rules of gl-billiards without a match: JSON in, JSON out"};
     app.require_subcommand(1);
 
     CLI::App* solving = app.add_subcommand("solve", "Solve the motion of balls on a table");
+    CLI::App* judging = app.add_subcommand("judge", "Judge a told shot by the rules of a game");
     bool is_by_line = false;
-    solving->add_flag("--jsonl", is_by_line, "One case a line; errors stay on their line");
+    for (CLI::App* answering : {solving, judging}) {
+        answering->add_flag("--jsonl", is_by_line, "One case a line; errors stay on their line");
+    }
 
     CLI::App* benching = app.add_subcommand("bench", "Measure how fast shots are solved");
     BenchCase bench_case = BenchCase::Break8;
@@ -45,6 +49,7 @@ int run(int argc, char** argv) {
         return app.exit(error) == 0 ? 0 : kBadInput;
     }
     if (solving->parsed()) return answer(solve, is_by_line);
+    if (judging->parsed()) return answer(judge, is_by_line);
     std::cout << bench(bench_case, seconds).dump() << '\n';
     return 0;
 }
