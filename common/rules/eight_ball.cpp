@@ -152,12 +152,9 @@ Verdict judge_after_break(const RackState& state, const Options& options, const 
 
 model::Layout EightBall::rack(const Options&, const model::TableSpec& table, double radius_m,
                               base::Random& random) const {
-    constexpr std::size_t kMiddle = 4;
     constexpr std::array<std::size_t, 2> kRearCorners{10, 14};
-    std::vector<BallId> balls;
-    for (std::uint8_t number = 1; number <= 15; ++number) balls.push_back({number});
-    shuffle(balls, random);
-    std::swap(balls[kMiddle], *std::ranges::find(balls, kEightBall));
+    std::vector<BallId> balls = shuffled_balls(15, random);
+    put_at(balls, model::kMiddlePlace, kEightBall);
     // The 8 cannot be at a corner any more. Of the balls that are at none, every one that would
     // mend a corner is as likely as the others, for their order is random.
     const Group first = group_of(balls[kRearCorners[0]]);

@@ -14,6 +14,21 @@ void shuffle(std::span<model::BallId> balls, base::Random& random) {
     }
 }
 
+std::vector<model::BallId> shuffled_balls(int count, base::Random& random) {
+    std::vector<model::BallId> balls;
+    for (int number = 1; number <= count; ++number) {
+        balls.push_back({static_cast<std::uint8_t>(number)});
+    }
+    shuffle(balls, random);
+    return balls;
+}
+
+void put_at(std::span<model::BallId> balls, std::size_t place, model::BallId ball) {
+    const auto found = std::ranges::find(balls, ball);
+    CHECK(found != balls.end() && place < balls.size());
+    std::swap(*found, balls[place]);
+}
+
 model::Layout racked_layout(std::span<const model::BallId> balls,
                             std::span<const base::Vec2> positions_m) {
     CHECK(balls.size() == positions_m.size());

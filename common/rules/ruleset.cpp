@@ -3,15 +3,18 @@
 
 #include "common/base/check.h"
 #include "common/rules/eight_ball.h"
+#include "common/rules/nine_ball.h"
 
 namespace billiards::rules {
 
 const Ruleset& ruleset_of(Game game) {
     static const EightBall eight_ball;
+    static const NineBall nine_ball;
     switch (game) {
         case Game::EightBall:
             return eight_ball;
         case Game::NineBall:
+            return nine_ball;
         case Game::TenBall:
         case Game::StraightPool:
         case Game::Practice:

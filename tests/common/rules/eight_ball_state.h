@@ -9,9 +9,6 @@
 
 namespace billiards::rules {
 
-inline constexpr model::Seat kShooter = model::Seat::First;
-inline constexpr model::Seat kOther = model::Seat::Second;
-
 inline const Ruleset& eight_ball() {
     return ruleset_of(Game::EightBall);
 }
@@ -46,10 +43,6 @@ inline RackState solids_without(model::BallSet gone) {
 
 inline const model::BallSet kAllSolids = model::BallSet::from_bits(0x00FE);
 inline const model::BallSet kAllStripes = model::BallSet::from_bits(0xFE00);
-
-inline model::Call call(int ball, int pocket = 2) {
-    return model::CalledBall{ToldShot::id(ball), {static_cast<std::uint8_t>(pocket)}};
-}
 
 inline Verdict judged(const RackState& state, const model::Call& said, const ToldShot& shot,
                       const Options& options = {}) {

@@ -1,6 +1,9 @@
-// Takes a shot told event by event; gives the events, one every tenth of a second.
+// Takes a shot told event by event, and what was said before it; gives the events, one every tenth
+// of a second, and the call. The first seat shoots.
 #pragma once
 
+#include "common/model/seat.h"
+#include "common/model/shot.h"
 #include "common/model/shot_event.h"
 #include "common/rules/facts.h"
 
@@ -8,6 +11,9 @@
 #include <vector>
 
 namespace billiards::rules {
+
+inline constexpr model::Seat kShooter = model::Seat::First;
+inline constexpr model::Seat kOther = model::Seat::Second;
 
 class ToldShot {
   public:
@@ -62,6 +68,10 @@ inline model::BallSet balls(std::initializer_list<int> numbers) {
     model::BallSet set;
     for (const int number : numbers) set.insert(ToldShot::id(number));
     return set;
+}
+
+inline model::Call call(int ball, int pocket = 2) {
+    return model::CalledBall{ToldShot::id(ball), {static_cast<std::uint8_t>(pocket)}};
 }
 
 }  // namespace billiards::rules
