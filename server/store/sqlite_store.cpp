@@ -1,6 +1,8 @@
 // Takes the path of a database file; gives a MatchStore in SQLite.
 #include "server/store/sqlite_store.h"
 
+#include "common/protocol/limits.h"
+#include "common/protocol/packing.h"
 #include "server/store/sqlite_schema.h"
 
 #include <SQLiteCpp/Column.h>
@@ -71,6 +73,22 @@ void bind_bytes(SQLite::Statement& statement, int index, const Container& bytes)
 protocol::Bytes read_bytes(const SQLite::Column& column) {
     const auto* data = static_cast<const std::byte*>(column.getBlob());
     return {data, data + column.getBytes()};
+}
+
+/// Of a row (sequence, command, verdict, final layout, record).
+base::Result<StoredEntry, protocol::DecodeError> read_entry(SQLite::Statement& row) {
+    const auto read_packed = [&](int index) {
+        return protocol::unpacked(read_bytes(row.getColumn(index)), protocol::kMaxServerFrameBytes);
+    };
+    auto final_layout = read_packed(3);
+    if (!final_layout) return std::move(final_layout).error();
+    auto record = read_packed(4);
+    if (!record) return std::move(record).error();
+    return StoredEntry{.sequence = read_number(row.getColumn(0)),
+                       .entry = {.command = read_bytes(row.getColumn(1)),
+                                 .verdict = read_bytes(row.getColumn(2)),
+                                 .final_layout = std::move(final_layout).value(),
+                                 .record = std::move(record).value()}};
 }
 
 /// None where the column is NULL or has another length.
@@ -158,14 +176,18 @@ void SqliteStore::on(const SaveMatch& write) {
     use->exec();
 }
 
+/// Large columns are packed here, where the thread is about to wait for the disk anyway.
 void SqliteStore::on(const AppendEntry& write) {
+    const protocol::EncodedEntry& entry = write.entry.entry;
+    const protocol::Bytes final_layout = protocol::packed(entry.final_layout);
+    const protocol::Bytes record = protocol::packed(entry.record);
     const Use use(append_entry_);
     use->bind(1, stored(write.match.value));
     use->bind(2, stored(write.entry.sequence));
-    bind_bytes(*use, 3, write.entry.entry.command);
-    bind_bytes(*use, 4, write.entry.entry.verdict);
-    bind_bytes(*use, 5, write.entry.entry.final_layout);
-    bind_bytes(*use, 6, write.entry.entry.record);
+    bind_bytes(*use, 3, entry.command);
+    bind_bytes(*use, 4, entry.verdict);
+    bind_bytes(*use, 5, final_layout);
+    bind_bytes(*use, 6, record);
     use->exec();
 }
 
@@ -235,13 +257,14 @@ StoreResult<std::vector<StoredEntry>> SqliteStore::journal(MatchId match) {
                                "WHERE match_id = ? ORDER BY seq");
         rows.bind(1, stored(match.value));
         while (rows.executeStep()) {
-            StoredEntry entry;
-            entry.sequence = read_number(rows.getColumn(0));
-            entry.entry.command = read_bytes(rows.getColumn(1));
-            entry.entry.verdict = read_bytes(rows.getColumn(2));
-            entry.entry.final_layout = read_bytes(rows.getColumn(3));
-            entry.entry.record = read_bytes(rows.getColumn(4));
-            entries.push_back(std::move(entry));
+            auto entry = read_entry(rows);
+            if (!entry) {
+                return StoreError{
+                    StoreErrorCode::Corrupt,
+                    fmt::format("{}: entry {} of match {}: {}", file_.string(),
+                                read_number(rows.getColumn(0)), match.value, entry.error().detail)};
+            }
+            entries.push_back(std::move(entry).value());
         }
         return entries;
     });

@@ -72,6 +72,45 @@ TEST(SqliteStore, NamesTheFileThatCannotBeOpened) {
     EXPECT_THAT(opened.error().detail, testing::HasSubstr(file.string()));
 }
 
+/// A store that holds entry 1 of match 1, with the statement done to its file.
+StoreResult<std::vector<StoredEntry>> journal_after(const std::string& statement) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "test.db";
+    const auto store = open_or_throw(file);
+    EXPECT_TRUE(store->commit(
+        std::vector<Write>{SaveMatch{some_match(1)}, AppendEntry{{1}, some_entry(1)}}));
+    SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec(statement);
+    return store->journal({1});
+}
+
+TEST(SqliteStore, KeepsRecordsPacked) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "test.db";
+    const auto store = open_or_throw(file);
+    const std::string record(10'000, 'r');
+    ASSERT_TRUE(store->commit(
+        std::vector<Write>{SaveMatch{some_match(1)}, AppendEntry{{1}, some_entry(1, record)}}));
+    SQLite::Database database(file.string());
+    EXPECT_LT(database.execAndGet("SELECT length(record) FROM entries").getInt(), 100);
+    EXPECT_EQ(store->journal({1}).value().at(0).entry.record, bytes_of(record));
+}
+
+TEST(SqliteStore, ReadsColumnsThatWereNeverPacked) {
+    const auto journal = journal_after(
+        "UPDATE entries SET record = x'00000000', "
+        "final_layout = x'0000000001'");
+    ASSERT_TRUE(journal.ok());
+    EXPECT_EQ(journal->at(0).entry.record, protocol::Bytes(4));
+    EXPECT_EQ(journal->at(0).entry.final_layout.size(), 5U);
+}
+
+TEST(SqliteStore, SaysCorruptWhereARecordCannotBeUnpacked) {
+    const auto journal = journal_after("UPDATE entries SET record = x'28b52ffd00'");
+    ASSERT_FALSE(journal.ok());
+    EXPECT_EQ(journal.error().code, StoreErrorCode::Corrupt);
+    EXPECT_THAT(journal.error().detail, testing::HasSubstr("entry 1 of match 1"));
+}
+
 TEST(SqliteStore, SaysCorruptWhereATokenHashHasAnotherLength) {
     const TemporaryFolder folder;
     const auto file = folder.path() / "test.db";
