@@ -24,6 +24,8 @@ void CushionCollision(benchmark::State& state, CushionModel model) {
     for (auto _ : state) benchmark::DoNotOptimize(cushion_kick(parameters, ball, nose));
 }
 BENCHMARK_CAPTURE(CushionCollision, Han2005, CushionModel::Han2005);
+BENCHMARK_CAPTURE(CushionCollision, Mathavan2010, CushionModel::Mathavan2010);
+BENCHMARK_CAPTURE(CushionCollision, Stronge, CushionModel::Stronge);
 BENCHMARK_CAPTURE(CushionCollision, Mirror, CushionModel::Mirror);
 
 /// Touching bodies, solved again and again from the same state.
