@@ -1,6 +1,7 @@
 // Takes two motions; gives the time of their next contact.
 #include "common/physics/detect.h"
 
+#include "common/physics/double_double.h"
 #include "common/physics/motion.h"
 
 #include <algorithm>
@@ -54,13 +55,59 @@ bool is_still(const Course& course) {
     return course.velocity_mps == Vec3{} && course.acceleration_mps2 == Vec3{};
 }
 
-/// One Newton step on the gap itself, whose rounding is smaller than that of its square.
+/// The same at one time, without the cancellation that a graze or a far start suffers.
+double careful_squared_gap(const Course& course, double distance_m, double time_s) {
+    const DoubleDouble t{time_s};
+    const DoubleDouble half_t_squared = exact_product(0.5 * time_s, time_s);
+    DoubleDouble sum = exact_product(-distance_m, distance_m);
+    for (int axis = 0; axis < 3; ++axis) {
+        const DoubleDouble place = DoubleDouble{course.position_m[axis]} +
+                                   DoubleDouble{course.velocity_mps[axis]} * t +
+                                   DoubleDouble{course.acceleration_mps2[axis]} * half_t_squared;
+        sum = sum + place * place;
+    }
+    return sum.high;
+}
+
+/// Steps to the falling root of the parabola that touches the squared gap here: near a graze, where
+/// two roots are close, a straight line would take one for the other.
+double carefully_polished(const Course& course, double distance_m, double time_s) {
+    double value = careful_squared_gap(course, distance_m, time_s);
+    constexpr int kMostSteps = 4;
+    for (int step = 0; step < kMostSteps && value != 0.0; ++step) {
+        const Course then = course_after(course, time_s);
+        const Vec3& x = then.position_m;
+        const Vec3& v = then.velocity_mps;
+        const double rate = 2.0 * glm::dot(x, v);
+        const double bend = 2.0 * (glm::dot(v, v) + glm::dot(x, course.acceleration_mps2));
+        const double squared = rate * rate - 2.0 * bend * value;
+        if (squared < 0.0) return time_s;
+        const double root = std::sqrt(squared);
+        const double change = rate < 0.0 ? 2.0 * value / (root - rate) : -(rate + root) / bend;
+        const double next = std::max(0.0, time_s + change);
+        const double next_value = careful_squared_gap(course, distance_m, next);
+        if (!(std::abs(next_value) < std::abs(value))) return time_s;
+        time_s = next;
+        value = next_value;
+    }
+    return time_s;
+}
+
+/// One Newton step on the gap itself, whose rounding is smaller than that of its square; where even
+/// that is too much for the slope, more.
 double polished(const Course& course, double distance_m, double time_s) {
+    constexpr double kRounding = 4e-16;
+    constexpr double kEnough_s = 1e-13;
+    constexpr double kEnough = 1e-11;  // Of the time: ten times better than promised.
     const Course then = course_after(course, time_s);
     const double distance = std::sqrt(glm::dot(then.position_m, then.position_m));
     const double rate = glm::dot(then.position_m, then.velocity_mps) / distance;
     const double step = (distance - distance_m) / rate;
-    return std::abs(step) < 1e-9 ? std::max(0.0, time_s - step) : time_s;
+    const double reach =
+        distance + time_s * std::sqrt(glm::dot(course.velocity_mps, course.velocity_mps));
+    const bool is_steep = kRounding * reach < std::abs(rate) * (kEnough_s + kEnough * time_s);
+    if (is_steep && std::abs(step) < 1e-9) return std::max(0.0, time_s - step);
+    return carefully_polished(course, distance_m, time_s);
 }
 
 }  // namespace
