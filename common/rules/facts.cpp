@@ -2,8 +2,6 @@
 // is known only once that contact is.
 #include "common/rules/facts.h"
 
-#include <algorithm>
-
 namespace billiards::rules {
 
 namespace {
@@ -106,14 +104,6 @@ BallSet fallen_balls(const Facts& facts) {
     BallSet fallen;
     for (const PocketedBall& pocketed : facts.pocketed) fallen.insert(pocketed.ball);
     return fallen;
-}
-
-std::optional<BallId> called_ball_down(const Facts& facts, const model::Call& call) {
-    const auto* called = std::get_if<model::CalledBall>(&call);
-    if (called == nullptr) return std::nullopt;
-    const PocketedBall wanted{called->ball, called->pocket};
-    const bool down = std::ranges::find(facts.pocketed, wanted) != facts.pocketed.end();
-    return down ? std::optional(called->ball) : std::nullopt;
 }
 
 }  // namespace billiards::rules

@@ -41,7 +41,4 @@ Facts facts_of(std::span<const model::ShotEvent> events);
 /// The object balls that were pocketed.
 model::BallSet fallen_balls(const Facts& facts);
 
-/// The called ball, if it fell into its pocket.
-std::optional<model::BallId> called_ball_down(const Facts& facts, const model::Call& call);
-
 }  // namespace billiards::rules

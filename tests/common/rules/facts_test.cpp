@@ -117,19 +117,5 @@ TEST(Facts, FallenBallsAreTheObjectBallsPocketed) {
               balls({3, 9}));
 }
 
-TEST(Facts, CalledBallIsDownOnlyInItsPocket) {
-    const Facts facts = ToldShot().hits(9).pots(9, 4).pots(2, 1).facts();
-    const auto down = [&](int ball, int pocket) {
-        const model::PocketId into{static_cast<std::uint8_t>(pocket)};
-        return called_ball_down(facts, model::CalledBall{ToldShot::id(ball), into});
-    };
-    EXPECT_EQ(down(2, 1), ToldShot::id(2));
-    EXPECT_EQ(down(9, 4), ToldShot::id(9));
-    EXPECT_EQ(down(2, 4), std::nullopt);
-    EXPECT_EQ(down(3, 4), std::nullopt);
-    EXPECT_EQ(called_ball_down(facts, model::NoCall{}), std::nullopt);
-    EXPECT_EQ(called_ball_down(facts, model::Safety{}), std::nullopt);
-}
-
 }  // namespace
 }  // namespace billiards::rules

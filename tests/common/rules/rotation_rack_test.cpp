@@ -73,5 +73,20 @@ TEST(NineBallRack, HasTheOtherBallsAtEveryOtherPlace) {
     EXPECT_EQ(places_of(Game::NineBall, 8), 7U);
 }
 
+TEST(TenBallRack, IsATriangleWithTheOneOnTheFootSpotAndTheTenInTheMiddle) {
+    const std::vector<Vec2> places = model::triangle_positions(nine_foot(), kRadius_m, 4);
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+        const model::Layout layout = racked(Game::TenBall, seed);
+        expect_filled(layout, places);
+        EXPECT_EQ(place_of(layout, 1), model::foot_spot(nine_foot()));
+        EXPECT_EQ(place_of(layout, 10), places[model::kMiddlePlace]);
+    }
+}
+
+TEST(TenBallRack, HasTheOtherBallsAtEveryOtherPlace) {
+    EXPECT_EQ(places_of(Game::TenBall, 2), 8U);
+    EXPECT_EQ(places_of(Game::TenBall, 9), 8U);
+}
+
 }  // namespace
 }  // namespace billiards::rules

@@ -26,7 +26,7 @@ class Rotation : public testing::TestWithParam<Game> {
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Games, Rotation, testing::Values(Game::NineBall));
+INSTANTIATE_TEST_SUITE_P(Games, Rotation, testing::Values(Game::NineBall, Game::TenBall));
 
 const std::vector<Choice> kPlayOrPassBack{Choice::Play, Choice::PassBack};
 
