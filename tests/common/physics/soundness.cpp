@@ -122,6 +122,43 @@ Fault rest_fault(const SolvedShot& shot, const BallTrack& track) {
     return {};
 }
 
+/// Of a ball as it comes to an instant, before what happens then.
+Vec3 velocity_before(const BallStart& ball, const BallTrack& track, double time_s) {
+    if (time_s == 0.0) return ball.velocity_mps;
+    const auto next = std::find_if(track.segments.begin() + 1, track.segments.end(),
+                                   [&](const Segment& s) { return s.start_s >= time_s; });
+    return timeline::evaluate(*(next - 1), time_s).velocity_mps;
+}
+
+/// Where balls meet nothing but each other, what they carry along the slate stays.
+Fault momentum_fault(const SolvedShot& shot, double time_s) {
+    Vec2 change{};
+    for (const BallStart& ball : shot.balls) {
+        const auto& tracks = shot.record.timeline.tracks;
+        const auto track = std::find_if(tracks.begin(), tracks.end(),
+                                        [&](const BallTrack& t) { return t.ball == ball.ball; });
+        const Vec3 kick =
+            timeline::evaluate(*track, time_s).velocity_mps - velocity_before(ball, *track, time_s);
+        change += ball.spec.mass_kg * base::horizontal(kick);
+    }
+    constexpr double kRounding_ns = 1e-12;
+    if (length_of(change) <= kRounding_ns) return {};
+    return words("momentum changes by ", length_of(change), " N s at ", time_s, " s");
+}
+
+Fault momentum_fault(const SolvedShot& shot) {
+    const auto& events = shot.record.events;
+    for (std::size_t first = 0, next = 0; first < events.size(); first = next) {
+        bool is_among_balls = true;
+        for (; next < events.size() && events[next].time_s == events[first].time_s; ++next) {
+            is_among_balls &= events[next].kind == EventKind::BallBall;
+        }
+        if (!is_among_balls) continue;
+        if (auto fault = momentum_fault(shot, events[first].time_s)) return fault;
+    }
+    return {};
+}
+
 double gap_to(const model::CushionSegment& cushion, const Vec2& place) {
     const Vec2 span = cushion.to_m - cushion.from_m;
     const double along = glm::dot(place - cushion.from_m, span) / glm::dot(span, span);
@@ -188,6 +225,7 @@ Fault first_fault(const SolvedShot& shot) {
         if (!fault) fault = rest_fault(shot, track);
         if (fault) return words("ball ", int{track.ball.number}, " ", *fault);
     }
+    if (auto fault = momentum_fault(shot)) return fault;
     return overlap_fault(shot);
 }
 

@@ -21,9 +21,9 @@ struct SolvedShot {
     const Diagnostics& diagnostics;
 };
 
-/// Energy that rose, bodies that overlap at an event or between two, places or velocities that
-/// jump, balls that do not come to rest or rest where none can: in words. Nothing where all is
-/// well.
+/// Energy that rose, momentum that balls lost to each other, bodies that overlap at an event or
+/// between two, places or velocities that jump, balls that do not come to rest or rest where none
+/// can: in words. Nothing where all is well.
 std::optional<std::string> first_fault(const SolvedShot& shot);
 
 }  // namespace billiards::physics

@@ -38,11 +38,16 @@ void expect_half_turn_agrees(const model::TableSpec& table, const std::vector<Ba
     }
 }
 
+ScatterKind any_kind(int number) {
+    return {
+        .many_move = number % 2 == 0, .are_unequal = number % 3 == 0, .many_fly = number % 5 == 0};
+}
+
 TEST(Symmetry, AHalfTurnOfTheLayoutTurnsTheShotToTheBit) {
     base::Random random(21);
     expect_half_turn_agrees(nine_foot(), break_shot(nine_foot(), {9, 0.1}, {0, 40, 30}));
-    for (int i = 0; i < 60; ++i) {
-        expect_half_turn_agrees(nine_foot(), Scatter(random, nine_foot()).balls(12, i % 2 == 0));
+    for (int i = 0; i < 120; ++i) {
+        expect_half_turn_agrees(nine_foot(), Scatter(random, nine_foot()).balls(any_kind(i)));
     }
 }
 
