@@ -4,6 +4,8 @@
 #include "common/base/check.h"
 #include "common/rules/eight_ball.h"
 #include "common/rules/nine_ball.h"
+#include "common/rules/practice.h"
+#include "common/rules/straight_pool.h"
 #include "common/rules/ten_ball.h"
 
 namespace billiards::rules {
@@ -12,6 +14,8 @@ const Ruleset& ruleset_of(Game game) {
     static const EightBall eight_ball;
     static const NineBall nine_ball;
     static const TenBall ten_ball;
+    static const StraightPool straight_pool;
+    static const Practice practice;
     switch (game) {
         case Game::EightBall:
             return eight_ball;
@@ -20,8 +24,9 @@ const Ruleset& ruleset_of(Game game) {
         case Game::TenBall:
             return ten_ball;
         case Game::StraightPool:
+            return straight_pool;
         case Game::Practice:
-            break;  // Not on the wire yet, so that nobody can ask for them.
+            return practice;
     }
     CHECK(false);
 }

@@ -31,11 +31,6 @@ inline RackState after_break_of(model::BallSet on_table) {
     return state;
 }
 
-inline RackState with_fouls(RackState state, int of_shooter, int of_other = 0) {
-    state.consecutive_fouls = {{of_shooter, of_other}};
-    return state;
-}
-
 /// Hits the 1 and drives that many object balls to cushions, the 1 first.
 inline ToldShot break_driving(int object_balls) {
     ToldShot shot;

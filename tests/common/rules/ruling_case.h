@@ -12,6 +12,11 @@
 
 namespace billiards::rules {
 
+inline RackState with_fouls(RackState state, int of_shooter, int of_other = 0) {
+    state.consecutive_fouls = {{of_shooter, of_other}};
+    return state;
+}
+
 /// What a verdict should say.
 struct Ruled {
     Reason reason;

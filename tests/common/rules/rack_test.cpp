@@ -1,6 +1,7 @@
-// Takes seeds; gives whether the racks of nine- and ten-ball have the right balls in their places
-// and the others anywhere.
+// Takes seeds; gives whether every game but eight-ball racks the right balls in their places and
+// the others anywhere.
 #include "common/model/rack.h"
+
 #include "common/rules/ruleset.h"
 #include "tests/common/rules/told_shot.h"
 
@@ -86,6 +87,15 @@ TEST(TenBallRack, IsATriangleWithTheOneOnTheFootSpotAndTheTenInTheMiddle) {
 TEST(TenBallRack, HasTheOtherBallsAtEveryOtherPlace) {
     EXPECT_EQ(places_of(Game::TenBall, 2), 8U);
     EXPECT_EQ(places_of(Game::TenBall, 9), 8U);
+}
+
+TEST(StraightPoolRack, IsATriangleOfFifteenWithEveryBallAtEveryPlace) {
+    expect_filled(racked(Game::StraightPool, 1), model::triangle_positions(nine_foot(), kRadius_m));
+    for (const int ball : {1, 8, 15}) EXPECT_EQ(places_of(Game::StraightPool, ball), 15U) << ball;
+}
+
+TEST(PracticeRack, IsThatOfEightBall) {
+    EXPECT_EQ(racked(Game::Practice, 5), racked(Game::EightBall, 5));
 }
 
 }  // namespace
