@@ -11,7 +11,7 @@ using Match = import "match.capnp";
 struct Command {
   seat @0 :Model.Seat;
   shotId @1 :UInt64;  # Of takeShot.
-  turn @2 :UInt32;    # Of takeShot, choose and timeout.
+  turn @2 :UInt32;    # Of the commands that name theirs.
   union {
     placeCueBall :group {
       xM @3 :Float64;
@@ -24,6 +24,19 @@ struct Command {
     choose @7 :Match.Choice;
     timeout @8 :Void;
     concede @9 :Void;
+    extend @10 :Void;
+    offer @11 :Match.OfferKind;
+    answer @12 :Bool;  # Whether the offer is accepted.
+    claimStalemate @13 :Void;
+    spotNearest @14 :Void;
+    placeBall :group {
+      ball @15 :UInt8;
+      xM @16 :Float64;
+      yM @17 :Float64;
+    }
+    undo @18 :Void;
+    repeat @19 :Void;
+    rerack @20 :Void;
   }
 }
 

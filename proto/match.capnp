@@ -70,6 +70,7 @@ enum Reason {
 enum BreakOrder { alternate @0; winner @1; loser @2; }
 enum PhysicsPreset { realistic @0; classic @1; }
 enum Stage { shooting @0; choosing @1; over @2; }
+enum OfferKind { stalemate @0; draw @1; }
 
 enum RefusalCode {
   badSettings @0;
@@ -85,6 +86,13 @@ enum RefusalCode {
   badChoice @10;
   unsolvable @11;
   badOutcome @12;
+  noExtension @13;
+  badOffer @14;
+  noOffer @15;
+  badClaim @16;
+  notSpottable @17;
+  wrongGame @18;
+  nothingToUndo @19;
 }
 
 struct Settings {
@@ -99,6 +107,9 @@ struct Settings {
   nineOnFootSpot @8 :Bool;
   tenWinsAnyTime @9 :Bool;
   targetPoints @10 :Int32 = 100;
+  extensionS @11 :Float64 = 30;  # 0: none.
+  aimHelp @12 :Bool = true;
+  spectatorDelayS @13 :Float64;
 }
 
 struct RackState {
@@ -161,7 +172,7 @@ struct Verdict {
 }
 
 struct MatchState {
-  # Without the seed, which tells of racks to come.
+  # Without the seed, which tells of racks to come, and the earlier positions of practice.
   settings @0 :Settings;
   stage @1 :Stage;
   turn @2 :UInt32;
@@ -185,5 +196,23 @@ struct MatchState {
   winner :union {
     none @14 :Void;
     seat @15 :Model.Seat;
+  }
+  extendedIn :group {  # Turns; 0: none.
+    first @16 :UInt32;
+    second @17 :UInt32;
+  }
+  offer :union {
+    none @18 :Void;
+    made :group {
+      kind @19 :OfferKind;
+      by @20 :Model.Seat;
+    }
+  }
+  claim :union {
+    none @21 :Void;
+    turns :group {
+      first @22 :UInt32;
+      second @23 :UInt32;
+    }
   }
 }

@@ -2,12 +2,16 @@
 #include "common/match/advance.h"
 
 #include "common/base/check.h"
-#include "common/base/random.h"
 #include "common/match/placement.h"
+#include "common/match/practice.h"
+#include "common/match/racks.h"
 #include "common/model/table_spec.h"
 #include "common/rules/ruleset.h"
 
+#include <algorithm>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace billiards::match {
 
@@ -21,39 +25,8 @@ const model::TableSpec& table_of(const MatchState& match) {
     return model::table_of(match.settings.table);
 }
 
-Seat first_breaker(std::uint64_t seed) {
-    return model::kSeats[base::Random(seed).below(model::kSeats.size())];
-}
-
-/// The same for a rack that is racked again: who breaks it changes, its order does not.
-base::Random rack_random(std::uint64_t seed, int rack_number) {
-    return base::Random(base::Random(seed).next() ^ static_cast<std::uint64_t>(rack_number));
-}
-
-/// Alternation counts from the first break of the match, so that a rack that was broken again by
-/// the other player does not shift it.
-Seat breaker_of_next_rack(const MatchState& match, Seat winner) {
-    switch (match.settings.break_order) {
-        case BreakOrder::Winner:
-            return winner;
-        case BreakOrder::Loser:
-            return opponent_of(winner);
-        case BreakOrder::Alternate: {
-            const Seat first = first_breaker(match.seed);
-            return match.rack_number % 2 == 0 ? first : opponent_of(first);
-        }
-    }
-    CHECK(false);
-}
-
-/// What the rules know of the balls follows from where they lie.
-void count_balls(MatchState& match) {
-    match.rack.on_table = {};
-    for (const model::PlacedBall& placed : match.layout.balls) {
-        const bool on_table = placed.place == model::Place::OnTable;
-        if (on_table && placed.ball != model::kCueBall) match.rack.on_table.insert(placed.ball);
-    }
-    match.rack.behind_head_string = balls_behind_head_string(table_of(match), match.layout);
+model::BallSet legal_balls(const MatchState& match) {
+    return rules::ruleset_of(match.settings.game).legal_first_balls(match.rack);
 }
 
 void take_cue_ball_in_hand(model::Layout& layout) {
@@ -61,35 +34,6 @@ void take_cue_ball_in_hand(model::Layout& layout) {
     CHECK(cue_ball != nullptr);
     cue_ball->place = model::Place::InHand;
     cue_ball->position_m = {};
-}
-
-void rack_up(MatchState& match, Seat breaker) {
-    base::Random random = rack_random(match.seed, match.rack_number);
-    const rules::Ruleset& rules = rules::ruleset_of(match.settings.game);
-    match.layout =
-        rules.rack(match.settings.options, table_of(match), model::BallSpec{}.radius_m, random);
-    match.rack = {};
-    match.rack.shooter = breaker;
-    match.rack.in_hand = Zone::BehindHeadString;
-    match.breaker = breaker;
-    match.to_act = breaker;
-    match.stage = Stage::Shooting;
-    match.pending.reset();
-    count_balls(match);
-}
-
-void end_match(MatchState& match, Seat winner) {
-    match.stage = Stage::Over;
-    match.winner = winner;
-    match.pending.reset();
-    count_balls(match);
-}
-
-void end_rack(MatchState& match, Seat winner) {
-    if (++match.racks_won[winner] >= match.settings.race_to) return end_match(match, winner);
-    const Seat breaker = breaker_of_next_rack(match, winner);
-    ++match.rack_number;
-    rack_up(match, breaker);
 }
 
 void give_table_to(MatchState& match, Seat player, Zone in_hand,
@@ -127,8 +71,39 @@ void choose(MatchState& match, rules::Choice choice) {
     const rules::Ruleset& rules = rules::ruleset_of(match.settings.game);
     const rules::Resolution resolution =
         rules.resolve(match.pending->before, match.pending->verdict, choice);
-    if (resolution.rerack) return rack_up(match, resolution.next_player);
-    give_table_to(match, resolution.next_player, resolution.in_hand, resolution.spotted);
+    if (resolution.rerack) return rack_again(match, resolution.next_player);
+    std::vector<model::BallId> spotted = resolution.spotted;
+    std::erase_if(spotted, [&](model::BallId ball) { return match.layout.on_table(ball); });
+    give_table_to(match, resolution.next_player, resolution.in_hand, spotted);
+}
+
+/// Whatever stood for this turn alone is gone with it.
+void end_turn(MatchState& match) {
+    ++match.turn.value;
+    match.offer.reset();
+}
+
+/// By agreement or as claimed: the same rack and breaker, nobody's fouls.
+void play_again(MatchState& match) {
+    rack_again(match, match.breaker);
+    match.rack.consecutive_fouls = {};
+}
+
+bool is_quiet(const MatchState& match, const Consequence& shot) {
+    const auto is_down = [&](const model::PlacedBall& placed) {
+        return match.rack.on_table.contains(placed.ball) && placed.place != model::Place::OnTable;
+    };
+    return shot.verdict->fouls.empty() && std::ranges::none_of(shot.final_layout->balls, is_down);
+}
+
+/// After a shot that did not end the rack.
+void count_claimed_turn(MatchState& match, Seat shooter, bool was_quiet) {
+    if (!match.claim) return;
+    if (!was_quiet) return match.claim.reset();
+    ++(*match.claim)[shooter];
+    const bool is_stalemate =
+        std::ranges::all_of(match.claim->values, [](int turns) { return turns >= kTurnsOfClaim; });
+    if (is_stalemate) play_again(match);
 }
 
 /// What each command does to a match.
@@ -145,29 +120,66 @@ class Fold {
     }
     void on(const TakeShot&) {
         CHECK(consequence_.final_layout != nullptr && consequence_.verdict != nullptr);
-        ++match_.turn.value;
+        if (is_practice()) {
+            match_.before_shot = MatchState::Position{match_.rack, match_.layout};
+            remember(match_);
+        }
+        end_turn(match_);
         ++match_.shots_played;
+        const bool was_quiet = is_quiet(match_, consequence_);
         match_.layout = *consequence_.final_layout;
         follow(match_, *consequence_.verdict);
+        count_claimed_turn(match_, seat_, was_quiet);
     }
     void on(const Choose& command) {
-        ++match_.turn.value;
+        end_turn(match_);
         choose(match_, command.choice);
     }
     void on(const Timeout&) {
-        ++match_.turn.value;
+        end_turn(match_);
         if (match_.stage == Stage::Choosing) {
             return choose(match_, match_.pending->verdict.choices.front());
         }
         CHECK(consequence_.verdict != nullptr);
+        match_.claim.reset();
         follow(match_, *consequence_.verdict);
     }
     void on(const Concede&) {
-        ++match_.turn.value;
-        end_match(match_, opponent_of(seat_));
+        end_turn(match_);
+        end_match(match_, is_practice() ? std::nullopt : std::optional(opponent_of(seat_)));
+    }
+    void on(const Extend&) { match_.extended_in[seat_] = match_.turn; }
+    void on(const Offer& offer) { match_.offer = MatchState::StandingOffer{offer.kind, seat_}; }
+    void on(const Answer& answer) {
+        const OfferKind kind = match_.offer->kind;
+        match_.offer.reset();
+        if (!answer.accept) return;
+        end_turn(match_);
+        kind == OfferKind::Draw ? end_match(match_, std::nullopt) : play_again(match_);
+    }
+    void on(const ClaimStalemate&) { match_.claim.emplace(); }
+    void on(const SpotNearest&) {
+        spot_nearest(table_of(match_), match_.layout, legal_balls(match_));
+        count_balls(match_);
+    }
+    void on(const PlaceBall& command) { place_ball(match_, command); }
+    void on(const Undo&) {
+        end_turn(match_);
+        undo(match_);
+    }
+    void on(const Repeat&) {
+        end_turn(match_);
+        repeat(match_);
+    }
+    void on(const Rerack&) {
+        end_turn(match_);
+        remember(match_);
+        rack_up(match_, seat_);
     }
 
   private:
+    bool is_practice() const { return match_.settings.game == rules::Game::Practice; }
+
     MatchState& match_;
     Seat seat_;
     const Consequence& consequence_;
@@ -179,7 +191,7 @@ MatchState first_rack(const Settings& settings, std::uint64_t seed) {
     MatchState match;
     match.settings = settings;
     match.seed = seed;
-    rack_up(match, first_breaker(seed));
+    rack_up(match, first_breaker(match));
     return match;
 }
 

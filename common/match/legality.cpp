@@ -1,6 +1,7 @@
 // Takes a match, a seat and a command; gives done, or the first reason why not.
 #include "common/match/legality.h"
 
+#include "common/match/clock.h"
 #include "common/match/placement.h"
 #include "common/model/table_spec.h"
 #include "common/physics/simulate.h"
@@ -82,10 +83,88 @@ class Legality {
 
     Checked on(const Timeout& command) const {
         if (Checked fresh = is_fresh(command.turn); !fresh) return fresh;
+        if (Checked two = is_match_of_two(); !two) return two;
         return may_act(state_.stage);
     }
 
     Checked on(const Concede&) const { return base::Done{}; }
+
+    Checked on(const Extend& command) const {
+        if (Checked fresh = is_fresh(command.turn); !fresh) return fresh;
+        if (Checked turn = may_act(state_.stage); !turn) return turn;
+        if (!allowance_s(state_)) return refused(RefusalCode::NoExtension, "no clock runs");
+        if (state_.settings.extension_s <= 0.0) {
+            return refused(RefusalCode::NoExtension, "this match is played without extensions");
+        }
+        if (state_.extended_in[seat_] != model::TurnNumber{}) {
+            return refused(RefusalCode::NoExtension, "this rack's extension has been used");
+        }
+        return base::Done{};
+    }
+
+    Checked on(const Offer& command) const {
+        if (Checked fresh = is_fresh(command.turn); !fresh) return fresh;
+        if (Checked two = is_match_of_two(); !two) return two;
+        if (state_.offer) return refused(RefusalCode::BadOffer, "another offer stands");
+        if (command.kind == OfferKind::Stalemate && is_unbroken()) {
+            return refused(RefusalCode::BadOffer, "the rack has not been broken");
+        }
+        return base::Done{};
+    }
+
+    Checked on(const Answer& command) const {
+        if (Checked fresh = is_fresh(command.turn); !fresh) return fresh;
+        if (state_.offer && state_.offer->by != seat_) return base::Done{};
+        return refused(RefusalCode::NoOffer, "there is no offer to answer");
+    }
+
+    Checked on(const ClaimStalemate& command) const {
+        if (Checked fresh = is_fresh(command.turn); !fresh) return fresh;
+        if (Checked two = is_match_of_two(); !two) return two;
+        if (Checked turn = may_act(Stage::Shooting); !turn) return turn;
+        if (state_.claim) return refused(RefusalCode::BadClaim, "a stalemate is claimed already");
+        if (is_unbroken()) return refused(RefusalCode::BadClaim, "the rack has not been broken");
+        return base::Done{};
+    }
+
+    Checked on(const SpotNearest& command) const {
+        if (Checked fresh = is_fresh(command.turn); !fresh) return fresh;
+        if (Checked turn = may_act(Stage::Shooting); !turn) return turn;
+        if (state_.rack.in_hand != rules::Zone::BehindHeadString) {
+            return refused(RefusalCode::NotSpottable,
+                           "the cue ball is not in hand behind the head string");
+        }
+        const rules::Ruleset& rules = rules::ruleset_of(state_.settings.game);
+        const model::BallSet legal = rules.legal_first_balls(state_.rack);
+        if (legal.empty() || !(legal - state_.rack.behind_head_string).empty()) {
+            return refused(RefusalCode::NotSpottable, "a legal ball lies before the head string");
+        }
+        return base::Done{};
+    }
+
+    Checked on(const PlaceBall& command) const {
+        if (Checked practice = may_practise(); !practice) return practice;
+        if (state_.layout.find(command.ball) == nullptr) {
+            return refused(RefusalCode::BadPlacement,
+                           fmt::format("there is no ball {}", command.ball.number));
+        }
+        return check_placement(model::table_of(state_.settings.table), state_.layout,
+                               rules::Zone::Anywhere, command.position_m, command.ball);
+    }
+
+    Checked on(const Undo&) const {
+        if (Checked practice = may_practise(); !practice) return practice;
+        if (!state_.undo.empty()) return base::Done{};
+        return refused(RefusalCode::NothingToUndo, "there is nothing to undo");
+    }
+
+    Checked on(const Repeat&) const {
+        if (Checked practice = may_practise(); !practice) return practice;
+        if (state_.before_shot) return base::Done{};
+        return refused(RefusalCode::NothingToUndo, "no shot has been played");
+    }
+
+    Checked on(const Rerack&) const { return may_practise(); }
 
   private:
     Checked is_fresh(model::TurnNumber turn) const {
@@ -106,6 +185,19 @@ class Legality {
         return base::Done{};
     }
 
+    bool is_practice() const { return state_.settings.game == rules::Game::Practice; }
+    bool is_unbroken() const { return state_.rack.phase == rules::Phase::Break; }
+
+    Checked is_match_of_two() const {
+        if (!is_practice()) return base::Done{};
+        return refused(RefusalCode::WrongGame, "there is neither an opponent nor a clock");
+    }
+
+    Checked may_practise() const {
+        if (!is_practice()) return refused(RefusalCode::WrongGame, "only in practice");
+        return may_act(Stage::Shooting);
+    }
+
     Checked is_callable(const model::Call& call) const {
         const rules::Ruleset& rules = rules::ruleset_of(state_.settings.game);
         if (rules.is_call_allowed(state_.rack, state_.settings.options, call)) return base::Done{};
@@ -117,34 +209,12 @@ class Legality {
     model::Seat seat_;
 };
 
-Checked check_clock(const char* name, double clock_s) {
-    // Written so that a NaN is refused.
-    if (clock_s >= 0 && clock_s <= kMaxShotClock_s) return base::Done{};
-    return refused(RefusalCode::BadSettings, fmt::format("{} must be in [0, {:g}], was {:g}", name,
-                                                         kMaxShotClock_s, clock_s));
-}
-
 }  // namespace
 
 Checked check(const MatchState& state, model::Seat seat, const Command& command) {
     if (state.stage == Stage::Over) return refused(RefusalCode::MatchOver, "the match is over");
     const Legality legality(state, seat);
     return std::visit([&](const auto& each) { return legality.on(each); }, command);
-}
-
-Checked check(const Settings& settings) {
-    if (settings.race_to < 1 || settings.race_to > kMaxRaceTo) {
-        return refused(RefusalCode::BadSettings, fmt::format("race_to must be in [1, {}], was {}",
-                                                             kMaxRaceTo, settings.race_to));
-    }
-    const int target_points = settings.options.target_points;
-    if (target_points < 1 || target_points > rules::kMaxTargetPoints) {
-        return refused(RefusalCode::BadSettings,
-                       fmt::format("target_points must be in [1, {}], was {}",
-                                   rules::kMaxTargetPoints, target_points));
-    }
-    if (Checked clock = check_clock("shot_clock_s", settings.shot_clock_s); !clock) return clock;
-    return check_clock("break_shot_clock_s", settings.break_shot_clock_s);
 }
 
 }  // namespace billiards::match

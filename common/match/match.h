@@ -2,43 +2,15 @@
 // replay, resume and late joining are this one fold.
 #pragma once
 
-#include "common/base/result.h"
 #include "common/match/match_state.h"
+#include "common/match/refusal.h"
 #include "common/physics/parameters.h"
 #include "common/timeline/shot_record.h"
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
 namespace billiards::match {
-
-/// The order is part of the wire format; only append.
-enum class RefusalCode : std::uint8_t {
-    BadSettings,
-    MatchOver,
-    NotYourTurn,
-    StaleTurn,         ///< The turn number is not the current one.
-    WrongStage,        ///< A shot while a choice is due, or the other way round.
-    NotInHand,         ///< The cue ball may not be placed now.
-    CueBallNotPlaced,  ///< It is in hand, and was not set down.
-    BadPlacement,      ///< Outside the zone, over a pocket or cushion, or on another ball.
-    BadShot,           ///< A number that makes no sense; detail names it.
-    BadCall,           ///< This ball, pocket or call is not allowed now.
-    BadChoice,         ///< Not one of those offered.
-    Unsolvable,        ///< The engine gave up on this shot; nothing was played.
-    BadOutcome,        ///< refold only: the journalled outcome does not belong to this command.
-};
-
-struct Refusal {
-    RefusalCode code = RefusalCode::NotYourTurn;
-    std::string detail;
-
-    friend bool operator==(const Refusal&, const Refusal&) = default;
-};
-
-template <class T>
-using Result = base::Result<T, Refusal>;
 
 /// What a command led to besides the next state: what cannot be folded again without solving.
 struct Outcome {
@@ -56,7 +28,8 @@ struct Step {
 /// The engine's parameters for a preset.
 const physics::Parameters& parameters_of(PhysicsPreset preset);
 
-/// A fresh match, ready for the first break; the seed decides who breaks and every rack.
+/// A fresh match, ready for the first break; the seed decides who breaks and every rack. A rematch
+/// is no more than this: the same settings and another seed.
 Result<MatchState> start(const Settings& settings, std::uint64_t seed);
 
 /// Pure. Checks the command, solves and judges a shot, and folds it in.

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/base/result.h"
-#include "common/match/match.h"
 #include "common/match/match_state.h"
+#include "common/match/refusal.h"
 #include "common/model/layout.h"
 #include "common/rules/verdict.h"
 

@@ -31,10 +31,10 @@ struct Obstacle {
     double distance_m;
 };
 
-std::vector<Obstacle> object_balls(const model::Layout& layout) {
+std::vector<Obstacle> balls_but(model::BallId ball, const model::Layout& layout) {
     std::vector<Obstacle> obstacles;
     for (const model::PlacedBall& placed : layout.balls) {
-        if (placed.ball == kCueBall || placed.place != model::Place::OnTable) continue;
+        if (placed.ball == ball || placed.place != model::Place::OnTable) continue;
         obstacles.push_back({placed.position_m, 2 * kRadius_m});
     }
     return obstacles;
@@ -108,7 +108,7 @@ std::optional<Vec2> free_on_line(const model::TableSpec& table, std::span<const 
 void spot_ball(const model::TableSpec& table, model::Layout& layout, model::BallId ball) {
     model::PlacedBall* spotted = layout.find(ball);
     CHECK(spotted != nullptr && spotted->place != model::Place::OnTable);
-    std::vector<Obstacle> obstacles = object_balls(layout);
+    std::vector<Obstacle> obstacles = balls_but(kCueBall, layout);
     if (layout.on_table(kCueBall)) {
         obstacles.push_back({layout.find(kCueBall)->position_m, 2 * kRadius_m + kCueBallGap_m});
     }
@@ -123,7 +123,7 @@ void spot_ball(const model::TableSpec& table, model::Layout& layout, model::Ball
 }  // namespace
 
 Result<base::Done> check_placement(const model::TableSpec& table, const model::Layout& layout,
-                                   rules::Zone zone, Vec2 position_m) {
+                                   rules::Zone zone, Vec2 position_m, model::BallId ball) {
     if (!is_inside_cushions(table, position_m)) {
         return bad_placement(position_m, "is not inside the cushions");
     }
@@ -132,7 +132,7 @@ Result<base::Done> check_placement(const model::TableSpec& table, const model::L
     if (must_be_behind && position_m.x >= *table.head_string_m) {
         return bad_placement(position_m, "is not behind the head string");
     }
-    if (!is_free(object_balls(layout), position_m)) {
+    if (!is_free(balls_but(ball, layout), position_m)) {
         return bad_placement(position_m, "overlaps another ball");
     }
     return base::Done{};
@@ -140,7 +140,7 @@ Result<base::Done> check_placement(const model::TableSpec& table, const model::L
 
 Vec2 default_placement(const model::TableSpec& table, const model::Layout& layout,
                        rules::Zone zone) {
-    const std::vector<Obstacle> obstacles = object_balls(layout);
+    const std::vector<Obstacle> obstacles = balls_but(kCueBall, layout);
     // The long string, or where all of it is blocked the nearest line beside it.
     for (double aside_m = 0.0; aside_m <= reach(table).y; aside_m += kRadius_m) {
         for (const double y_m : {aside_m, -aside_m}) {
@@ -156,6 +156,18 @@ void spot_balls(const model::TableSpec& table, model::Layout& layout,
     std::vector<model::BallId> ascending(balls.begin(), balls.end());
     std::ranges::sort(ascending);
     for (const model::BallId ball : ascending) spot_ball(table, layout, ball);
+}
+
+void spot_nearest(const model::TableSpec& table, model::Layout& layout, model::BallSet balls) {
+    model::PlacedBall* nearest = nullptr;
+    balls.for_each([&](model::BallId ball) {
+        model::PlacedBall* placed = layout.find(ball);
+        CHECK(placed != nullptr && placed->place == model::Place::OnTable);
+        if (!nearest || placed->position_m.x > nearest->position_m.x) nearest = placed;
+    });
+    CHECK(nearest != nullptr);
+    nearest->place = model::Place::InHand;
+    spot_ball(table, layout, nearest->ball);
 }
 
 model::BallSet balls_behind_head_string(const model::TableSpec& table,

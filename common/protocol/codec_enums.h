@@ -46,7 +46,8 @@ constexpr auto last_of(rules::Reason) { return Last{rules::Reason::Practice, wir
 constexpr auto last_of(match::BreakOrder) { return Last{match::BreakOrder::Loser, wire::BreakOrder::LOSER}; }
 constexpr auto last_of(match::PhysicsPreset) { return Last{match::PhysicsPreset::Classic, wire::PhysicsPreset::CLASSIC}; }
 constexpr auto last_of(match::Stage) { return Last{match::Stage::Over, wire::Stage::OVER}; }
-constexpr auto last_of(match::RefusalCode) { return Last{match::RefusalCode::BadOutcome, wire::RefusalCode::BAD_OUTCOME}; }
+constexpr auto last_of(match::OfferKind) { return Last{match::OfferKind::Draw, wire::OfferKind::DRAW}; }
+constexpr auto last_of(match::RefusalCode) { return Last{match::RefusalCode::NothingToUndo, wire::RefusalCode::NOTHING_TO_UNDO}; }
 constexpr auto last_of(Role) { return Last{Role::BothSeats, wire::Role::BOTH_SEATS}; }
 constexpr auto last_of(RefusedCode) { return Last{RefusedCode::Match, wire::RefusedCode::MATCH}; }
 constexpr auto last_of(server::NoticeCode) { return Last{server::NoticeCode::ReplacedByNewConnection, wire::NoticeCode::REPLACED_BY_NEW_CONNECTION}; }

@@ -48,26 +48,102 @@ void write(Out out, const match::Concede&) {
     out.setConcede();
 }
 
+void write(Out out, const match::Extend& extend) {
+    out.setTurn(extend.turn.value);
+    out.setExtend();
+}
+
+void write(Out out, const match::Offer& offer) {
+    out.setTurn(offer.turn.value);
+    out.setOffer(to_wire(offer.kind));
+}
+
+void write(Out out, const match::Answer& answer) {
+    out.setTurn(answer.turn.value);
+    out.setAnswer(answer.accept);
+}
+
+void write(Out out, const match::ClaimStalemate& claim) {
+    out.setTurn(claim.turn.value);
+    out.setClaimStalemate();
+}
+
+void write(Out out, const match::SpotNearest& spot) {
+    out.setTurn(spot.turn.value);
+    out.setSpotNearest();
+}
+
+void write(Out out, const match::PlaceBall& place) {
+    auto body = out.initPlaceBall();
+    body.setBall(place.ball.number);
+    body.setXM(place.position_m.x);
+    body.setYM(place.position_m.y);
+}
+
+void write(Out out, const match::Undo&) {
+    out.setUndo();
+}
+
+void write(Out out, const match::Repeat&) {
+    out.setRepeat();
+}
+
+void write(Out out, const match::Rerack&) {
+    out.setRerack();
+}
+
 // ---- From the journal
+
+template <class Group>
+base::Vec2 position(Group in) {
+    return {finite(in.getXM(), "position_m"), finite(in.getYM(), "position_m")};
+}
+
+match::TakeShot take_shot(wire::Command::TakeShot::Reader in, model::TurnNumber turn) {
+    match::TakeShot take{.turn = turn, .shot = {}, .call = {}};
+    take.shot = finite(read(in.getShot()));
+    take.call = read(in.getCall());
+    return take;
+}
+
+match::PlaceBall place_ball(wire::Command::PlaceBall::Reader in) {
+    match::PlaceBall place;
+    place.ball = ball_id(in.getBall());
+    place.position_m = position(in);
+    return place;
+}
 
 match::Command read_command(wire::Command::Reader in) {
     const model::TurnNumber turn{in.getTurn()};
     switch (in.which()) {
-        case wire::Command::PLACE_CUE_BALL: {
-            const auto place = in.getPlaceCueBall();
-            return match::PlaceCueBall{
-                {finite(place.getXM(), "position_m"), finite(place.getYM(), "position_m")}};
-        }
-        case wire::Command::TAKE_SHOT: {
-            const auto take = in.getTakeShot();
-            return match::TakeShot{turn, finite(read(take.getShot())), read(take.getCall())};
-        }
+        case wire::Command::PLACE_CUE_BALL:
+            return match::PlaceCueBall{position(in.getPlaceCueBall())};
+        case wire::Command::TAKE_SHOT:
+            return take_shot(in.getTakeShot(), turn);
         case wire::Command::CHOOSE:
             return match::Choose{turn, from_wire<rules::Choice>(in.getChoose(), "choice")};
         case wire::Command::TIMEOUT:
             return match::Timeout{turn};
         case wire::Command::CONCEDE:
             return match::Concede{};
+        case wire::Command::EXTEND:
+            return match::Extend{turn};
+        case wire::Command::OFFER:
+            return match::Offer{turn, from_wire<match::OfferKind>(in.getOffer(), "offer")};
+        case wire::Command::ANSWER:
+            return match::Answer{turn, in.getAnswer()};
+        case wire::Command::CLAIM_STALEMATE:
+            return match::ClaimStalemate{turn};
+        case wire::Command::SPOT_NEAREST:
+            return match::SpotNearest{turn};
+        case wire::Command::PLACE_BALL:
+            return place_ball(in.getPlaceBall());
+        case wire::Command::UNDO:
+            return match::Undo{};
+        case wire::Command::REPEAT:
+            return match::Repeat{};
+        case wire::Command::RERACK:
+            return match::Rerack{};
     }
     fail(DecodeErrorCode::UnknownKind, "command");
 }

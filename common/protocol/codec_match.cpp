@@ -79,6 +79,9 @@ void write(wire::Settings::Builder out, const match::Settings& settings) {
     out.setNineOnFootSpot(settings.options.nine_on_foot_spot);
     out.setTenWinsAnyTime(settings.options.ten_wins_any_time);
     out.setTargetPoints(settings.options.target_points);
+    out.setExtensionS(settings.extension_s);
+    out.setAimHelp(settings.aim_help);
+    out.setSpectatorDelayS(settings.spectator_delay_s);
 }
 
 match::Settings read(wire::Settings::Reader in) {
@@ -92,19 +95,16 @@ match::Settings read(wire::Settings::Reader in) {
             .break_order = from_wire<match::BreakOrder>(in.getBreakOrder(), "break_order"),
             .race_to = in.getRaceTo(),
             .shot_clock_s = in.getShotClockS(),
-            .break_shot_clock_s = in.getBreakShotClockS()};
+            .break_shot_clock_s = in.getBreakShotClockS(),
+            .extension_s = in.getExtensionS(),
+            .aim_help = in.getAimHelp(),
+            .spectator_delay_s = in.getSpectatorDelayS()};
 }
 
 match::Settings accepted_settings(wire::Settings::Reader in) {
     const match::Settings settings = read(in);
-    const auto is_clock = [](double length_s) {
-        return length_s >= 0 && length_s <= match::kMaxShotClock_s;
-    };
-    require(settings.race_to >= 1 && settings.race_to <= match::kMaxRaceTo, "race_to");
-    const int target_points = settings.options.target_points;
-    require(target_points >= 1 && target_points <= rules::kMaxTargetPoints, "target_points");
-    require(is_clock(settings.shot_clock_s), "shot_clock_s");
-    require(is_clock(settings.break_shot_clock_s), "break_shot_clock_s");
+    const auto accepted = match::check(settings);
+    if (!accepted) fail(DecodeErrorCode::OutOfBounds, accepted.error().detail);
     return settings;
 }
 
@@ -183,9 +183,39 @@ void write(wire::MatchState::Builder out, const match::MatchState& state) {
         write(choice.initBefore(), state.pending->before);
     }
     write_seat(out.getWinner(), state.winner);
+    out.getExtendedIn().setFirst(state.extended_in[model::Seat::First].value);
+    out.getExtendedIn().setSecond(state.extended_in[model::Seat::Second].value);
+    if (state.offer) {
+        auto made = out.getOffer().initMade();
+        made.setKind(to_wire(state.offer->kind));
+        made.setBy(to_wire(state.offer->by));
+    }
+    if (state.claim) write_counts(out.getClaim().initTurns(), *state.claim);
 }
 
 namespace {
+
+std::optional<match::MatchState::StandingOffer> read_offer(wire::MatchState::Offer::Reader in) {
+    switch (in.which()) {
+        case wire::MatchState::Offer::NONE:
+            return std::nullopt;
+        case wire::MatchState::Offer::MADE:
+            return match::MatchState::StandingOffer{
+                .kind = from_wire<match::OfferKind>(in.getMade().getKind(), "offer"),
+                .by = from_wire<model::Seat>(in.getMade().getBy(), "offer")};
+    }
+    fail(DecodeErrorCode::UnknownKind, "offer");
+}
+
+std::optional<model::PerSeat<int>> read_claim(wire::MatchState::Claim::Reader in) {
+    switch (in.which()) {
+        case wire::MatchState::Claim::NONE:
+            return std::nullopt;
+        case wire::MatchState::Claim::TURNS:
+            return read_counts(in.getTurns(), "claim");
+    }
+    fail(DecodeErrorCode::UnknownKind, "claim");
+}
 
 std::optional<match::MatchState::Pending> read_pending(wire::MatchState::Pending::Reader in) {
     switch (in.which()) {
@@ -213,7 +243,13 @@ match::MatchState read(wire::MatchState::Reader in) {
             .rack = read(in.getRack()),
             .layout = read(in.getLayout()),
             .pending = read_pending(in.getPending()),
-            .winner = read_seat(in.getWinner(), "winner")};
+            .winner = read_seat(in.getWinner(), "winner"),
+            .extended_in = {{model::TurnNumber{in.getExtendedIn().getFirst()},
+                             model::TurnNumber{in.getExtendedIn().getSecond()}}},
+            .offer = read_offer(in.getOffer()),
+            .claim = read_claim(in.getClaim()),
+            .undo = {},
+            .before_shot = {}};
 }
 
 }  // namespace billiards::protocol

@@ -16,7 +16,7 @@ namespace billiards::protocol {
 void write(wire::Settings::Builder out, const match::Settings& settings);
 void write(wire::RackState::Builder out, const rules::RackState& rack);
 void write(wire::Verdict::Builder out, const rules::Verdict& verdict);
-/// Without the seed.
+/// Without the seed and the earlier positions of practice.
 void write(wire::MatchState::Builder out, const match::MatchState& state);
 
 /// Any number, also NaN: match::start refuses by name.

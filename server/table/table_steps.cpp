@@ -1,6 +1,7 @@
 // Takes commands for one match; gives journal entries to the disk and, when it answers, what they
 // led to.
 #include "common/base/check.h"
+#include "common/match/clock.h"
 #include "server/table/table.h"
 
 #include <array>
@@ -227,12 +228,8 @@ void Table::restore(base::Instant now, const StoredMatch& stored, const Refolded
 }
 
 std::optional<base::Duration> Table::time_allowed() const {
-    const match::MatchState& state = match_->state;
-    const bool is_break = state.rack.phase == rules::Phase::Break;
-    const double allowed_s =
-        is_break ? state.settings.break_shot_clock_s : state.settings.shot_clock_s;
-    if (allowed_s <= 0.0) return std::nullopt;
-    return base::duration_of(allowed_s);
+    const std::optional<double> allowed_s = match::allowance_s(match_->state);
+    return allowed_s ? std::optional(base::duration_of(*allowed_s)) : std::nullopt;
 }
 
 }  // namespace billiards::server

@@ -48,11 +48,12 @@ struct ToMessage {
     Body operator()(const match::Choose& choose) const {
         return protocol::client::Choose{.turn = choose.turn, .choice = choose.choice};
     }
-    Body operator()(const match::Timeout&) const {
-        CHECK(false);  // The clock's, never a player's.
+    Body operator()(const match::Concede&) const { return protocol::client::Concede{}; }
+    template <class Command>
+    Body operator()(const Command&) const {
+        CHECK(false);  // The clock's, or not yet a client's to say.
         return protocol::client::Concede{};
     }
-    Body operator()(const match::Concede&) const { return protocol::client::Concede{}; }
 };
 
 }  // namespace

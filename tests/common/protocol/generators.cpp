@@ -119,7 +119,10 @@ match::Settings settings() {
             .break_order = up_to(match::BreakOrder::Loser),
             .race_to = within(1, match::kMaxRaceTo + 1),
             .shot_clock_s = std::abs(fine(match::kMaxShotClock_s)),
-            .break_shot_clock_s = std::abs(fine(match::kMaxShotClock_s))};
+            .break_shot_clock_s = std::abs(fine(match::kMaxShotClock_s)),
+            .extension_s = std::abs(fine(match::kMaxShotClock_s)),
+            .aim_help = coin(),
+            .spectator_delay_s = std::abs(fine(match::kMaxSpectatorDelay_s))};
 }
 
 model::Layout layout() {
@@ -173,7 +176,14 @@ match::MatchState state() {
             .pending = maybe([] {
                 return match::MatchState::Pending{verdict(), rack()};
             }),
-            .winner = maybe(seat)};
+            .winner = maybe(seat),
+            .extended_in = {{model::TurnNumber{any32()}, model::TurnNumber{any32()}}},
+            .offer = maybe([] {
+                return match::MatchState::StandingOffer{up_to(match::OfferKind::Draw), seat()};
+            }),
+            .claim = maybe(counts),
+            .undo = {},
+            .before_shot = {}};
 }
 
 ShotEvent event(double time_s) {
@@ -320,7 +330,7 @@ void draw(client::Seen& seen) {
     seen = {any64()};
 }
 void draw(client::Choose& choose) {
-    choose = {{any32()}, up_to(rules::Choice::BallInHandBehindHeadString)};
+    choose = {{any32()}, up_to(rules::Choice::PassBack)};
 }
 void draw(client::Concede&) {}
 void draw(client::Chat& chat) {
@@ -336,7 +346,7 @@ void draw(server::Welcome& welcome) {
 }
 void draw(server::Refused& refused) {
     refused = {up_to(RefusedCode::Match),
-               maybe([] { return up_to(match::RefusalCode::Unsolvable); }),
+               maybe([] { return up_to(match::RefusalCode::NothingToUndo); }),
                *any_text(kMaxDetailLength / 4), any32()};
 }
 void draw(server::TableList& list) {
@@ -364,12 +374,8 @@ void draw(server::TurnOpened& opened) {
     opened = {any64(), {any32()}, turn()};
 }
 void draw(server::MatchMoved& moved) {
-    moved = {any64(),
-             seat(),
-             maybe([] { return up_to(rules::Choice::BallInHandBehindHeadString); }),
-             maybe(verdict),
-             state(),
-             turn()};
+    moved = {any64(),        seat(),  maybe([] { return up_to(rules::Choice::PassBack); }),
+             maybe(verdict), state(), turn()};
 }
 void draw(server::MatchOver& over) {
     over = {any64(), seat(), counts(), any32(), coin()};
@@ -391,12 +397,33 @@ void draw(match::TakeShot& take) {
     take = {{any32()}, shot(), call()};
 }
 void draw(match::Choose& choose) {
-    choose = {{any32()}, up_to(rules::Choice::BallInHandBehindHeadString)};
+    choose = {{any32()}, up_to(rules::Choice::PassBack)};
 }
 void draw(match::Timeout& timeout) {
     timeout = {{any32()}};
 }
 void draw(match::Concede&) {}
+void draw(match::Extend& extend) {
+    extend = {{any32()}};
+}
+void draw(match::Offer& offer) {
+    offer = {{any32()}, up_to(match::OfferKind::Draw)};
+}
+void draw(match::Answer& answer) {
+    answer = {{any32()}, coin()};
+}
+void draw(match::ClaimStalemate& claim) {
+    claim = {{any32()}};
+}
+void draw(match::SpotNearest& spot) {
+    spot = {{any32()}};
+}
+void draw(match::PlaceBall& place) {
+    place = {ball(), position()};
+}
+void draw(match::Undo&) {}
+void draw(match::Repeat&) {}
+void draw(match::Rerack&) {}
 
 /// Any alternative of the variant.
 template <class Variant, std::size_t... indices>

@@ -216,11 +216,15 @@ TEST(HostileMatch, IsRefusedByTheNameOfItsField) {
     good.verdict = rules::Verdict{};
     expect_out_of_bounds<server::MatchMoved>(
         good,
-        {{"race_to", in_state([](MatchState& s) { s.settings.race_to = 0; })},
-         {"race_to", in_state([](MatchState& s) { s.settings.race_to = -1; })},
-         {"shot_clock_s", in_state([](MatchState& s) { s.settings.shot_clock_s = kNaN; })},
-         {"break_shot_clock_s",
-          in_state([](MatchState& s) { s.settings.break_shot_clock_s = 1e9; })},
+        {{"race_to must be in [1, 50], was 0",
+          in_state([](MatchState& s) { s.settings.race_to = 0; })},
+         {"shot_clock_s must be in [0, 600], was nan",
+          in_state([](MatchState& s) { s.settings.shot_clock_s = kNaN; })},
+         {"spectator_delay_s must be in [0, 600], was 1e+09",
+          in_state([](MatchState& s) { s.settings.spectator_delay_s = 1e9; })},
+         {"claim", in_state([](MatchState& s) {
+              s.claim = {{0, kMaxCount + 1}};
+          })},
          {"rack_number", in_state([](MatchState& s) { s.rack_number = kMaxCount + 1; })},
          {"racks_won", in_state([](MatchState& s) { s.racks_won.values[1] = kMaxCount + 1; })},
          {"fouls", [](server::MatchMoved& m) { m.verdict->fouls.resize(17); }},

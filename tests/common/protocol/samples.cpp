@@ -42,6 +42,17 @@ match::Settings settings() {
             .break_shot_clock_s = 0.0};
 }
 
+/// With every option of a later day, too.
+match::Settings all_settings() {
+    match::Settings all = settings();
+    all.options = {
+        .call = true, .nine_on_foot_spot = true, .ten_wins_any_time = true, .target_points = 125};
+    all.extension_s = 12.5;
+    all.aim_help = false;
+    all.spectator_delay_s = 90.0;
+    return all;
+}
+
 model::Layout layout() {
     return {{{BallId{0}, Place::InHand, {}},
              {BallId{1}, Place::OnTable, {0.1, -0.2}},
@@ -90,7 +101,26 @@ match::MatchState choosing() {
             .rack = rack(),
             .layout = layout(),
             .pending = match::MatchState::Pending{verdict(), rack()},
-            .winner = Seat::First};
+            .winner = Seat::First,
+            .extended_in = {},
+            .offer = {},
+            .claim = {},
+            .undo = {},
+            .before_shot = {}};
+}
+
+/// With everything that stands between two turns.
+match::MatchState disputed() {
+    match::MatchState state;
+    state.settings = all_settings();
+    state.layout = layout();
+    state.rack.phase = rules::Phase::AfterBreak;
+    state.rack.push_out_allowed = true;
+    state.rack.scores = {{-3, 77}};
+    state.extended_in = {{TurnNumber{3}, TurnNumber{17}}};
+    state.offer = {match::OfferKind::Draw, Seat::Second};
+    state.claim = {{1, 2}};
+    return state;
 }
 
 match::MatchState fresh() {
@@ -205,6 +235,9 @@ std::vector<Sample<ClientMessage>> client_samples() {
          {11, client::TakeShot{turn, 100, sample_shot(),
                                model::CalledBall{BallId{8}, model::PocketId{3}}}}},
         {"take safety", {12, client::TakeShot{turn, 101, sample_shot(), model::Safety{}}}},
+        {"take push-out", {18, client::TakeShot{turn, 102, sample_shot(), model::PushOut{}}}},
+        {"create table with every option",
+         {19, client::CreateTable{"Ada's", all_settings(), Role::Player}}},
         {"seen", {13, client::Seen{77}}},
         {"choose", {14, client::Choose{turn, rules::Choice::BallInHandBehindHeadString}}},
         {"concede", {15, client::Concede{}}},
@@ -231,6 +264,7 @@ std::vector<Sample<ServerMessage>> server_samples() {
         {"empty table snapshot", server::TableSnapshot{}},
         {"seat changed", server::SeatChanged{79, {{seat("Bo#0001"), seat("")}}, 3}},
         {"match started", server::MatchStarted{80, fresh(), turn()}},
+        {"match started in dispute", server::MatchStarted{86, disputed(), turn()}},
         {"cue ball placed", server::CueBallPlaced{81, Seat::Second, {-0.6, 0.1}}},
         {"aim shown", server::AimShown{Seat::Second, TurnNumber{17}, sample_shot()}},
         {"shot played", shot_played()},
@@ -265,7 +299,16 @@ std::vector<Sample<JournalEntry>> journal_samples() {
             {"take shot", shot},
             {"choose", entry(match::Choose{turn, rules::Choice::RebreakSelf})},
             {"timeout", timeout},
-            {"concede", entry(match::Concede{})}};
+            {"concede", entry(match::Concede{})},
+            {"extend", entry(match::Extend{turn})},
+            {"offer", entry(match::Offer{turn, match::OfferKind::Draw})},
+            {"answer", entry(match::Answer{turn, true})},
+            {"claim stalemate", entry(match::ClaimStalemate{turn})},
+            {"spot nearest", entry(match::SpotNearest{turn})},
+            {"place ball", entry(match::PlaceBall{BallId{9}, {0.25, -0.1}})},
+            {"undo", entry(match::Undo{})},
+            {"repeat", entry(match::Repeat{})},
+            {"rerack", entry(match::Rerack{})}};
 }
 
 StoredSettings sample_settings() {
