@@ -98,8 +98,9 @@ Verdict judge_break(const RackState& state, const Facts& facts) {
     Verdict verdict =
         verdict_of(state, std::move(fouls), break_rulings(state, facts, illegal, foul));
     verdict.phase = Phase::Open;
-    // An 8 that left the table comes back whatever is chosen; one that fell, only by choice.
-    if (facts.off_table.contains(kEightBall)) verdict.spotted.push_back(kEightBall);
+    // Where there is a choice, the 8 comes back with it.
+    const bool eight_off = facts.off_table.contains(kEightBall);
+    if (eight_off && verdict.choices.empty()) verdict.spotted.push_back(kEightBall);
     return verdict;
 }
 
@@ -202,7 +203,8 @@ Resolution EightBall::resolve(const RackState&, const Verdict& verdict, Choice c
     resolution.rerack = choice == Choice::RebreakSelf || choice == Choice::RebreakOpponent;
     resolution.next_player = choice == Choice::RebreakOpponent ? opponent_of(self) : self;
     resolution.in_hand = as_ruled ? verdict.in_hand : Zone::BehindHeadString;
-    if (choice == Choice::SpotEight) resolution.spotted.push_back(kEightBall);
+    // However it was lost on the break: play goes on with it.
+    if (!resolution.rerack) resolution.spotted.push_back(kEightBall);
     return resolution;
 }
 

@@ -137,7 +137,7 @@ struct Resolution {
     bool rerack = false;  ///< The rack is broken again, by `next_player`.
     model::Seat next_player = model::Seat::First;
     Zone in_hand = Zone::None;
-    std::vector<model::BallId> spotted;
+    std::vector<model::BallId> spotted;  ///< Those of them that are not on the table.
 
     friend bool operator==(const Resolution&, const Resolution&) = default;
 };

@@ -1,6 +1,7 @@
 // Takes matches move by move; gives whether turns, racks, choices and the race go as they should.
 #include "common/match/match.h"
 
+#include "common/rules/ruleset.h"
 #include "tests/common/match/match_moves.h"
 
 #include <gtest/gtest.h>
@@ -202,6 +203,37 @@ TEST(MatchChoice, SpotEightPutsItBackOnTheTable) {
     EXPECT_EQ(next.to_act, match.to_act);
     EXPECT_EQ(next.rack.in_hand, Zone::None);
     expect_sound(next);
+}
+
+/// Of a break that drives these object balls to cushions, and the 8 off the table.
+rules::Verdict judged_without_eight(const MatchState& match, model::BallSet driven) {
+    rules::Facts facts;
+    facts.first_contacts = {{1}};
+    facts.off_table = {kEightBall};
+    facts.driven_to_cushion = driven | facts.off_table;
+    facts.driven_after_contact = facts.driven_to_cushion;
+    return rules::ruleset_of(rules::Game::EightBall).judge(match.rack, {}, model::NoCall{}, facts);
+}
+
+TEST(MatchChoice, EightThatLeftTheTableIsSpottedOnceByWhateverPlaysOn) {
+    const MatchState match = started();
+    const model::BallSet three{{1}, {2}, {3}};
+    const struct {
+        model::BallSet driven;
+        Choice choice;
+    } cases[] = {{three, Choice::Accept},
+                 {three, Choice::BallInHandBehindHeadString},
+                 {{}, Choice::Accept},
+                 {{}, Choice::RebreakSelf}};
+    for (const auto& each : cases) {
+        const rules::Verdict verdict = judged_without_eight(match, each.driven);
+        const MatchState choosing = told_with_down(match, kEightBall, verdict);
+        ASSERT_EQ(choosing.stage, Stage::Choosing);
+        EXPECT_FALSE(choosing.rack.on_table.contains(kEightBall));
+        const MatchState next = applied(choosing, Choose{choosing.turn, each.choice}).next;
+        EXPECT_EQ(next.rack.on_table.size(), 15);
+        expect_sound(next);
+    }
 }
 
 TEST(MatchChoice, CueBallInHandBehindTheHeadStringIsLifted) {

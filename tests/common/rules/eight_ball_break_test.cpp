@@ -243,8 +243,10 @@ TEST(EightBallBreak, EightDownWithAFoulLetsTheOpponentSpotItOrBreak) {
     });
 }
 
-TEST(EightBallBreak, EightDownIsLeftOutOfTheSpottedWhileTheChoiceIsOpen) {
+TEST(EightBallBreak, EightThatIsLostIsLeftOutOfTheSpottedWhileAChoiceIsOpen) {
     EXPECT_TRUE(judged(at_break(), NoCall{}, break_driving(0).pots(8)).spotted.empty());
+    EXPECT_TRUE(judged(at_break(), NoCall{}, break_driving(4).leaves(8)).spotted.empty());
+    EXPECT_TRUE(judged(at_break(), NoCall{}, break_driving(2).leaves(8)).spotted.empty());
 }
 
 TEST(EightBallBreak, EightOffTheTableIsSpottedAndThenAsAnyBallOffTheTable) {
@@ -258,9 +260,8 @@ TEST(EightBallBreak, EightOffTheTableIsSpottedAndThenAsAnyBallOffTheTable) {
          kBreakFoulChoices},
     });
     const std::vector<model::BallId> eight{model::kEightBall};
-    EXPECT_EQ(judged(at_break(), NoCall{}, break_driving(4).leaves(8)).spotted, eight);
     EXPECT_EQ(judged(at_break(), NoCall{}, break_driving(4).leaves(8).pots(0)).spotted, eight);
-    EXPECT_TRUE(judged(at_break(), NoCall{}, break_driving(4).leaves(7)).spotted.empty());
+    EXPECT_TRUE(judged(at_break(), NoCall{}, break_driving(4).leaves(7).pots(0)).spotted.empty());
 }
 
 TEST(EightBallBreak, LeavesTheTableOpenWhateverFell) {
@@ -295,11 +296,14 @@ TEST(EightBallBreak, EachChoiceLeadsWhereItSays) {
     const std::vector<model::BallId> none;
     const std::vector<model::BallId> eight{model::kEightBall};
     const ChoiceCase cases[] = {
-        {"accept in position", break_driving(3), Choice::Accept, {false, kOther, Zone::None, none}},
+        {"accept in position",
+         break_driving(3),
+         Choice::Accept,
+         {false, kOther, Zone::None, eight}},
         {"accept after a scratch",
          break_driving(3).pots(0),
          Choice::Accept,
-         {false, kOther, behind, none}},
+         {false, kOther, behind, eight}},
         {"break oneself", break_driving(3), Choice::RebreakSelf, {true, kOther, behind, none}},
         {"let the breaker break again",
          break_driving(3),
@@ -324,11 +328,11 @@ TEST(EightBallBreak, EachChoiceLeadsWhereItSays) {
         {"accept a ball off the table",
          break_driving(4).leaves(5),
          Choice::Accept,
-         {false, kOther, Zone::None, none}},
+         {false, kOther, Zone::None, eight}},
         {"take the cue ball in hand",
          break_driving(4).leaves(5),
          Choice::BallInHandBehindHeadString,
-         {false, kOther, behind, none}},
+         {false, kOther, behind, eight}},
     };
     for (const ChoiceCase& each : cases) {
         const Verdict verdict = judged(at_break(), NoCall{}, each.shot);
