@@ -2,7 +2,7 @@
 import math
 
 # Told apart by the colour-blind: after Okabe and Ito, "Color universal design", 2008.
-BLUE, RED, GREEN, VIOLET = "#0072b2", "#d55e00", "#009e73", "#a8488a"
+BLUE, RED, GREEN, VIOLET, AMBER = "#0072b2", "#d55e00", "#009e73", "#a8488a", "#e69f00"
 INK, GREY, GRID = "#24292f", "#6e7781", "#e4e8ec"
 FONT = "font-family=\"'Segoe UI','Helvetica Neue',Arial,sans-serif\""
 

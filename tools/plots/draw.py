@@ -7,6 +7,7 @@ import pathlib
 from engine import Engine
 import pictures_break
 import pictures_contact
+import pictures_cushion
 import pictures_motion
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -14,6 +15,7 @@ PICTURES = {
     "roll-out": pictures_motion.roll_out,
     "angle-rules": pictures_contact.angle_rules,
     "throw": pictures_contact.throw,
+    "cushions": pictures_cushion.cushions,
     "convergence": pictures_motion.convergence,
     "break-tracks": pictures_break.tracks,
     "break-events": pictures_break.raster,
