@@ -197,6 +197,8 @@ Result<Done> validate(const model::TableSpec& table) {
         return Error{ErrorCode::OutOfRange,
                      std::string(name) + ", more than " + std::to_string(kMostParts)};
     }
+    const bool has_bed = table.half_playing_m != Vec2{};
+    if (has_bed && table.cushions.empty()) return Error{ErrorCode::OutOfRange, "cushions"};
     for (std::size_t i = 0; i < table.cushions.size(); ++i) {
         const std::string name = "cushions[" + std::to_string(i) + "]";
         const model::CushionSegment& cushion = table.cushions[i];

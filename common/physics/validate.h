@@ -27,6 +27,7 @@ inline constexpr double kMostMass_kg = 100.0;
 double largest_radius_m(std::span<const BallStart> balls);
 
 Result<base::Done> validate(const Parameters& parameters);
+/// A table with bed marks has cushions; an open one has neither.
 Result<base::Done> validate(const model::TableSpec& table);
 /// Numbers, ids, overlaps and places; the table and the parameters must be valid.
 Result<base::Done> validate(const model::TableSpec& table, std::span<const BallStart> balls);

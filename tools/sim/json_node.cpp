@@ -19,12 +19,26 @@ JsonNode JsonNode::operator[](const std::string& key) const {
 
 double JsonNode::number() const {
     if (is_present() && value_->is_number()) return value_->get<double>();
-    report(is_present() ? "must be a number" : "is missing");
+    report(is_written() ? "must be a number" : "is missing");
     return 0.0;
 }
 
 double JsonNode::number_or(double fallback) const {
-    return is_present() ? number() : fallback;
+    return is_written() ? number() : fallback;
+}
+
+double JsonNode::number_in(double least, double most) const {
+    const double value = number();
+    expect_within(value, least, most);
+    return value;
+}
+
+double JsonNode::number_in_or(double fallback, double least, double most) const {
+    return is_written() ? number_in(least, most) : fallback;
+}
+
+void JsonNode::expect_within(double value, double least, double most) const {
+    if (!(value >= least && value <= most)) report("is out of range");
 }
 
 int JsonNode::integer(int least, int most) const {
@@ -37,7 +51,7 @@ int JsonNode::integer(int least, int most) const {
 }
 
 bool JsonNode::truth_or(bool fallback) const {
-    if (!is_present()) return fallback;
+    if (!is_written()) return fallback;
     if (value_->is_boolean()) return value_->get<bool>();
     report("must be true or false");
     return fallback;
@@ -45,12 +59,12 @@ bool JsonNode::truth_or(bool fallback) const {
 
 std::string JsonNode::text() const {
     if (is_text()) return value_->get<std::string>();
-    report(is_present() ? "must be a string" : "is missing");
+    report(is_written() ? "must be a string" : "is missing");
     return {};
 }
 
 std::string JsonNode::text_or(const std::string& fallback) const {
-    return is_present() ? text() : fallback;
+    return is_written() ? text() : fallback;
 }
 
 std::size_t JsonNode::one_of(std::span<const char* const> words) const {
@@ -80,7 +94,7 @@ base::Vec2 JsonNode::pair() const {
 }
 
 base::Vec2 JsonNode::pair_or(const base::Vec2& fallback) const {
-    return is_present() ? pair() : fallback;
+    return is_written() ? pair() : fallback;
 }
 
 base::Vec3 JsonNode::triple(std::optional<double> height) const {
@@ -90,7 +104,7 @@ base::Vec3 JsonNode::triple(std::optional<double> height) const {
 }
 
 base::Vec3 JsonNode::triple_or(const base::Vec3& fallback) const {
-    return is_present() ? triple() : fallback;
+    return is_written() ? triple() : fallback;
 }
 
 std::vector<JsonNode> JsonNode::items() const {
@@ -117,6 +131,11 @@ std::vector<std::pair<std::string, JsonNode>> JsonNode::members() const {
         result.emplace_back(key, JsonNode(&value, field_ + "." + key, *fault_));
     }
     return result;
+}
+
+/// Adding 0 makes a negative zero one that people read.
+Json json_of(const base::Vec3& v) {
+    return Json::array({v.x + 0.0, v.y + 0.0, v.z + 0.0});
 }
 
 }  // namespace billiards::tools

@@ -42,12 +42,19 @@ class JsonNode {
 
     JsonNode operator[](const std::string& key) const;
     bool is_present() const { return value_ != nullptr && !value_->is_null(); }
+    /// Whether the field is there at all; null is no number and no text.
+    bool is_written() const { return value_ != nullptr; }
     bool is_text() const { return is_present() && value_->is_string(); }
     const std::string& field() const { return field_; }
     void report(const std::string& what) const { fault_->report(field_, what); }
 
     double number() const;
     double number_or(double fallback) const;
+    /// A number in [least, most].
+    double number_in(double least, double most) const;
+    double number_in_or(double fallback, double least, double most) const;
+    /// Reports a value read here that is outside of these.
+    void expect_within(double value, double least, double most) const;
     /// A whole number in [least, most]; `least`, with a fault, where none stands here.
     int integer(int least, int most) const;
     bool truth_or(bool fallback) const;
@@ -75,5 +82,7 @@ class JsonNode {
     std::string field_;
     Fault* fault_;
 };
+
+Json json_of(const base::Vec3& v);
 
 }  // namespace billiards::tools

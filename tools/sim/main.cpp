@@ -1,8 +1,11 @@
 // Takes the command line and cases on standard input; gives answers on standard output.
 #include "tools/sim/bench.h"
 #include "tools/sim/case_stream.h"
+#include "tools/sim/collide.h"
+#include "tools/sim/contact_time.h"
 #include "tools/sim/judge.h"
 #include "tools/sim/solve.h"
+#include "tools/sim/strike.h"
 
 #include <CLI/CLI.hpp>
 #include <exception>
@@ -17,6 +20,21 @@ using namespace billiards::tools;
 
 constexpr int kBadInput = 2;
 
+/// One that reads cases; benchmarks read none.
+struct Subcommand {
+    const char* name;
+    const char* help;
+    Json (*answer_case)(const JsonNode& input, Fault& fault);
+};
+
+constexpr Subcommand kSubcommands[] = {
+    {"solve", "Solve the motion of balls on a table", solve},
+    {"collide", "Let two balls, or a ball and a cushion, collide", collide},
+    {"strike", "Strike a ball with the cue", strike},
+    {"contact-time", "Find when two balls meet", contact_time},
+    {"judge", "Judge a told shot by the rules of a game", judge},
+};
+
 int answer(const AnswerCase& answer_case, bool is_by_line) {
     return is_by_line ? answer_lines(std::cin, std::cout, answer_case)
                       : answer_one(std::cin, std::cout, std::cerr, answer_case);
@@ -26,11 +44,10 @@ int run(int argc, char** argv) {
     CLI::App app{"The physics and the rules of gl-billiards without a match: JSON in, JSON out"};
     app.require_subcommand(1);
 
-    CLI::App* solving = app.add_subcommand("solve", "Solve the motion of balls on a table");
-    CLI::App* judging = app.add_subcommand("judge", "Judge a told shot by the rules of a game");
     bool is_by_line = false;
-    for (CLI::App* answering : {solving, judging}) {
-        answering->add_flag("--jsonl", is_by_line, "One case a line; errors stay on their line");
+    for (const Subcommand& each : kSubcommands) {
+        app.add_subcommand(each.name, each.help)
+            ->add_flag("--jsonl", is_by_line, "One case a line; errors stay on their line");
     }
 
     CLI::App* benching = app.add_subcommand("bench", "Measure how fast shots are solved");
@@ -48,8 +65,9 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : kBadInput;
     }
-    if (solving->parsed()) return answer(solve, is_by_line);
-    if (judging->parsed()) return answer(judge, is_by_line);
+    for (const Subcommand& each : kSubcommands) {
+        if (app.got_subcommand(each.name)) return answer(each.answer_case, is_by_line);
+    }
     std::cout << bench(bench_case, seconds).dump() << '\n';
     return 0;
 }

@@ -2,6 +2,8 @@
 #include "tools/sim/read_setup.h"
 
 #include "common/base/elementary.h"
+#include "common/physics/validate.h"
+#include "tools/sim/words.h"
 
 #include <array>
 #include <limits>
@@ -18,18 +20,11 @@ constexpr double kNoseHeightOverDiameter = 0.635;
 
 void read_models(const JsonNode& node, physics::Parameters& parameters) {
     const JsonNode ball_ball = node["ball_ball"];
-    if (ball_ball["model"].is_present()) {
-        constexpr std::array kModels{physics::BallBallModel::Frictional,
-                                     physics::BallBallModel::Elastic};
-        parameters.ball_ball = kModels[ball_ball["model"].one_of({"frictional", "elastic"})];
-    }
+    parameters.ball_ball = read_word_or(ball_ball["model"], parameters.ball_ball);
     parameters.ball_ball_restitution =
         ball_ball["restitution"].number_or(parameters.ball_ball_restitution);
     const JsonNode cushion = node["cushion"];
-    if (cushion["model"].is_present()) {
-        constexpr std::array kModels{physics::CushionModel::Han2005, physics::CushionModel::Mirror};
-        parameters.cushion = kModels[cushion["model"].one_of({"han2005", "mirror"})];
-    }
+    parameters.cushion = read_word_or(cushion["model"], parameters.cushion);
     parameters.cushion_restitution =
         cushion["restitution"].number_or(parameters.cushion_restitution);
     parameters.cushion_friction = cushion["friction"].number_or(parameters.cushion_friction);
@@ -54,37 +49,44 @@ void set_edge(model::TableSpec& table) {
     table.half_outer_m = (high - low) / 2.0 + kEdgeBeyondCushions_m;
 }
 
-/// Fields of the engine that the contract calls by another name.
-std::string contract_name(const std::string& detail) {
-    constexpr std::array<std::pair<const char*, const char*>, 8> kNames{{
-        {"ball_ball_restitution", "physics.ball_ball.restitution"},
-        {"cushion_restitution", "physics.cushion.restitution"},
-        {"cushion_friction", "physics.cushion.friction"},
-        {"gravity_mps2", "physics.gravity_mps2"},
-        {"sliding_friction", "physics.sliding_friction"},
-        {"rolling_friction", "physics.rolling_friction"},
-        {"spin_deceleration_radps2", "physics.spin_deceleration_radps2"},
-        {"nose_height_m", "table.nose_height_m"},
-    }};
-    for (const auto& [engine, contract] : kNames) {
+/// The contract's name for a field of the engine, and the same name where it has no other.
+template <std::size_t kCount>
+std::string contract_name(const std::array<std::pair<const char*, const char*>, kCount>& names,
+                          const std::string& detail) {
+    for (const auto& [engine, contract] : names) {
         if (detail == engine) return contract;
     }
-    constexpr std::array<std::pair<const char*, const char*>, 6> kShot{{
-        {"angle_rad", "shot.angle_deg"},
-        {"power", "shot.power"},
-        {"tip_left", "shot.offset"},
-        {"tip_up", "shot.offset"},
-        {"tip offset", "shot.offset"},
-        {"elevation_rad", "shot.elevation_deg"},
-    }};
-    for (const auto& [engine, contract] : kShot) {
-        if (detail == engine) return contract;
-    }
-    const bool is_of_table = detail.find('[') != std::string::npos;
-    return is_of_table ? "table." + detail : detail;
+    return detail;
 }
 
-const char* words_of(physics::ErrorCode code) {
+std::string physics_name(const std::string& detail) {
+    constexpr std::array<std::pair<const char*, const char*>, 3> kNames{{
+        {"ball_ball_restitution", "ball_ball.restitution"},
+        {"cushion_restitution", "cushion.restitution"},
+        {"cushion_friction", "cushion.friction"},
+    }};
+    return contract_name(kNames, detail);
+}
+
+std::string shot_name(const std::string& detail) {
+    constexpr std::array<std::pair<const char*, const char*>, 5> kNames{{
+        {"angle_rad", "angle_deg"},
+        {"tip_left", "offset"},
+        {"tip_up", "offset"},
+        {"tip offset", "offset"},
+        {"elevation_rad", "elevation_deg"},
+    }};
+    return contract_name(kNames, detail);
+}
+
+std::string table_name(const std::string& detail) {
+    for (const char* part : {"cushions", "jaws", "pockets", "nose_height_m"}) {
+        if (detail.starts_with(part)) return "table." + detail;
+    }
+    return detail;
+}
+
+const char* sentence_of(physics::ErrorCode code) {
     switch (code) {
         case physics::ErrorCode::NotFinite:
             return "is not finite";
@@ -120,14 +122,31 @@ PhysicsSetup read_physics(const JsonNode& node) {
     p.spin_deceleration_radps2 =
         node["spin_deceleration_radps2"].number_or(p.spin_deceleration_radps2);
     read_models(node, p);
-    setup.ball.mass_kg = node["ball_mass_kg"].number_or(setup.ball.mass_kg);
-    setup.ball.radius_m = node["ball_radius_m"].number_or(setup.ball.radius_m);
+    setup.ball = read_spec(node["ball_radius_m"], node["ball_mass_kg"], setup.ball);
+    if (const auto valid = physics::validate(p); !valid) {
+        node[physics_name(valid.error().detail)].report(sentence_of(valid.error().code));
+    }
     return setup;
+}
+
+model::BallSpec read_spec(const JsonNode& radius, const JsonNode& mass,
+                          const model::BallSpec& usual) {
+    return {
+        .radius_m =
+            radius.number_in_or(usual.radius_m, physics::kLeastRadius_m, physics::kMostRadius_m),
+        .mass_kg = mass.number_in_or(usual.mass_kg, physics::kLeastMass_kg, physics::kMostMass_kg)};
+}
+
+double read_nose_height(const JsonNode& node, double radius_m) {
+    return node["nose_height_m"].number_or(kNoseHeightOverDiameter * 2 * radius_m);
 }
 
 model::TableSpec read_table(const JsonNode& node, const model::BallSpec& ball) {
     if (!node.is_present() || node.is_text()) return named_table(node);
     model::TableSpec table;
+    if (node["cushions"].items().empty()) {
+        node["cushions"].report("there must be some; a table without any is \"open\"");
+    }
     for (const JsonNode& cushion : node["cushions"].items()) {
         table.cushions.push_back({cushion["from"].pair(), cushion["to"].pair()});
     }
@@ -137,8 +156,7 @@ model::TableSpec read_table(const JsonNode& node, const model::BallSpec& ball) {
     for (const JsonNode& pocket : node["pockets"].items()) {
         table.pockets.push_back({pocket["center"].pair(), pocket["radius"].number()});
     }
-    table.nose_height_m =
-        node["nose_height_m"].number_or(kNoseHeightOverDiameter * 2 * ball.radius_m);
+    table.nose_height_m = read_nose_height(node, ball.radius_m);
     set_edge(table);
     return table;
 }
@@ -149,8 +167,7 @@ std::vector<physics::BallStart> read_balls(const JsonNode& node, const BallNames
     for (const auto& [name, ball] : node.members()) {
         physics::BallStart& start = balls.emplace_back();
         start.ball = names.id_of(name);
-        start.spec = {.radius_m = ball["radius_m"].number_or(usual.radius_m),
-                      .mass_kg = ball["mass_kg"].number_or(usual.mass_kg)};
+        start.spec = read_spec(ball["radius_m"], ball["mass_kg"], usual);
         start.position_m = ball["position_m"].triple(start.spec.radius_m);
         start.velocity_mps = ball["velocity_mps"].triple_or({});
         start.spin_radps = ball["spin_radps"].triple_or({});
@@ -158,17 +175,26 @@ std::vector<physics::BallStart> read_balls(const JsonNode& node, const BallNames
     return balls;
 }
 
-model::Shot read_shot(const JsonNode& node) {
+model::Shot read_aim(const JsonNode& node) {
     const Vec2 offset = node["offset"].pair_or({});
     return {.angle_rad = base::radians(node["angle_deg"].number()),
-            .power = node["power"].number(),
             .tip_left = offset.x,
             .tip_up = offset.y,
             .elevation_rad = base::radians(node["elevation_deg"].number_or(0.0))};
 }
 
+model::Shot read_shot(const JsonNode& node) {
+    model::Shot shot = read_aim(node);
+    shot.power = node["power"].number();
+    return shot;
+}
+
+void report_shot(const physics::Error& error, const JsonNode& node) {
+    node[shot_name(error.detail)].report(sentence_of(error.code));
+}
+
 void report(const physics::Error& error, const BallNames& names, Fault& fault) {
-    fault.report(names.translated(contract_name(error.detail)), words_of(error.code));
+    fault.report(names.translated(table_name(error.detail)), sentence_of(error.code));
 }
 
 }  // namespace billiards::tools

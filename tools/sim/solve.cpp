@@ -6,6 +6,7 @@
 #include "common/timeline/evaluate.h"
 #include "tools/sim/ball_names.h"
 #include "tools/sim/read_setup.h"
+#include "tools/sim/words.h"
 
 #include <algorithm>
 #include <cinttypes>
@@ -18,55 +19,10 @@ namespace billiards::tools {
 namespace {
 
 using model::EventKind;
-using model::Motion;
 
-Json json_of(const base::Vec3& v) {
-    return Json::array({v.x, v.y, v.z});
-}
+constexpr double kMostTime_s = 1e9;
 
-const char* word_of(Motion motion) {
-    switch (motion) {
-        case Motion::Resting:
-            return "resting";
-        case Motion::Spinning:
-            return "spinning";
-        case Motion::Rolling:
-            return "rolling";
-        case Motion::Sliding:
-            return "sliding";
-        case Motion::Airborne:
-            return "airborne";
-        case Motion::Pocketed:
-            return "pocketed";
-        case Motion::OffTable:
-            return "off-table";
-    }
-    return "";
-}
-
-const char* word_of(EventKind kind) {
-    switch (kind) {
-        case EventKind::BallBall:
-            return "ball-ball";
-        case EventKind::Cushion:
-            return "cushion";
-        case EventKind::Jaw:
-            return "jaw";
-        case EventKind::Pocketed:
-            return "pocketed";
-        case EventKind::Motion:
-            return "motion";
-        case EventKind::HeadString:
-            return "head-string";
-        case EventKind::Landing:
-            return "landing";
-        case EventKind::OffTable:
-            return "off-table";
-    }
-    return "";
-}
-
-Json json_of(const model::ShotEvent& event, const BallNames& names) {
+Json event_of(const model::ShotEvent& event, const BallNames& names) {
     Json json{{"t", event.time_s}, {"kind", word_of(event.kind)}};
     if (event.kind == EventKind::BallBall) {
         json["balls"] = {names.name_of(event.ball), names.name_of(event.other)};
@@ -116,14 +72,14 @@ std::string hex_of(std::uint64_t hash) {
 
 /// Gives the ball named "cue" what the cue gives it.
 void strike_cue_ball(const JsonNode& node, const physics::Parameters& parameters,
-                     const BallNames& names, std::vector<physics::BallStart>& balls, Fault& fault) {
+                     const BallNames& names, std::vector<physics::BallStart>& balls) {
     const auto cue_ball = std::find_if(
         balls.begin(), balls.end(),
         [&](const physics::BallStart& ball) { return names.name_of(ball.ball) == "cue"; });
     if (cue_ball == balls.end()) return node.report("there is no ball named cue");
     const model::Shot shot = read_shot(node);
     if (const auto valid = physics::validate(shot); !valid) {
-        return report(valid.error(), names, fault);
+        return report_shot(valid.error(), node);
     }
     const physics::Strike struck =
         physics::strike(parameters, cue_ball->spec, shot,
@@ -136,7 +92,7 @@ Json answer_of(const timeline::ShotRecord& record, const physics::Diagnostics& d
                const std::vector<double>& sample_times_s, const BallNames& names) {
     Json answer{{"duration_s", record.duration_s}, {"events", Json::array()}};
     for (const model::ShotEvent& event : record.events) {
-        answer["events"].push_back(json_of(event, names));
+        answer["events"].push_back(event_of(event, names));
     }
     answer["final"] = final_of(record, names);
     answer["samples"] = Json::array();
@@ -164,11 +120,11 @@ Json solve(const JsonNode& input, Fault& fault) {
     const BallNames names(ball_names);
     std::vector<physics::BallStart> balls = read_balls(input["balls"], names, setup.ball);
     if (input["shot"].is_present() && !fault.is_found()) {
-        strike_cue_ball(input["shot"], setup.parameters, names, balls, fault);
+        strike_cue_ball(input["shot"], setup.parameters, names, balls);
     }
     std::vector<double> sample_times_s;
     for (const JsonNode& time : input["sample_times_s"].items()) {
-        sample_times_s.push_back(time.number());
+        sample_times_s.push_back(time.number_in(0.0, kMostTime_s));
     }
     if (fault.is_found()) return {};
 

@@ -5,6 +5,7 @@
 #include "common/base/check.h"
 #include "common/model/ball.h"
 #include "common/model/shot_event.h"
+#include "common/physics/parameters.h"
 #include "common/rules/verdict.h"
 #include "tools/sim/json_node.h"
 
@@ -20,6 +21,12 @@ constexpr auto words_of(model::EventKind) {
 constexpr auto words_of(model::Motion) {
     return std::to_array<const char*>(
         {"resting", "spinning", "rolling", "sliding", "airborne", "pocketed", "off-table"});
+}
+constexpr auto words_of(physics::BallBallModel) {
+    return std::to_array<const char*>({"frictional", "elastic"});
+}
+constexpr auto words_of(physics::CushionModel) {
+    return std::to_array<const char*>({"han2005", "mathavan2010", "stronge", "mirror"});
 }
 constexpr auto words_of(rules::Game) {
     return std::to_array<const char*>(

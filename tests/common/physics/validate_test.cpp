@@ -106,6 +106,13 @@ TEST(Validate, NamesBadParameters) {
               (Error{ErrorCode::NotFinite, "gravity_mps2"}));
 }
 
+TEST(Validate, TellsATableThatLostItsCushionsFromAnOpenOne) {
+    model::TableSpec table = nine_foot();
+    table.cushions.clear();
+    EXPECT_EQ(error_of({ball_at(1, {0, 0})}, table), (Error{ErrorCode::OutOfRange, "cushions"}));
+    EXPECT_TRUE(validate(model::open_table()).ok());
+}
+
 TEST(Validate, NamesBadTables) {
     model::TableSpec table = model::open_table();
     table.cushions = {{{1, 1}, {1, 1}}};

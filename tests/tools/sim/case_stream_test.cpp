@@ -30,7 +30,7 @@ struct BadCase {
 };
 
 TEST(CaseStream, SaysWhereTextStopsBeingJson) {
-    for (const char* text : {"nonsense", "{\"table\":}", "{\"balls\":1e999}", ""}) {
+    for (const char* text : {"nonsense", "{\"table\":}", "[[[[", ""}) {
         std::istringstream in(text);
         std::ostringstream out;
         std::ostringstream err;
@@ -54,7 +54,7 @@ TEST(CaseStream, NamesTheFieldThatIsWrong) {
         {R"({"table":"open","balls":{"a":{"position_m":[1,"x"]}}})",
          "balls.a.position_m[1]: must be a number"},
         {R"({"table":"open","balls":{"a":{"position_m":[0,0],"mass_kg":-1}}})",
-         "balls.a mass_kg: is out of range"},
+         "balls.a.mass_kg: is out of range"},
         {R"({"table":"open","balls":{"a":{"position_m":[0,0]},"b":{"position_m":[0.01,0]}}})",
          "balls.a, balls.b: overlap"},
         {R"({"table":"9ft","balls":{"a":{"position_m":[7,0]}}})", "balls.a: outside the table"},
@@ -63,7 +63,7 @@ TEST(CaseStream, NamesTheFieldThatIsWrong) {
         {R"({"table":"open","physics":{"preset":"moon"},"balls":{"a":{"position_m":[0,0]}}})",
          "physics.preset: must be one of realistic, classic"},
         {R"({"table":"open","physics":{"cushion":{"model":"jelly"}},"balls":{"a":{"position_m":[0,0]}}})",
-         "physics.cushion.model: must be one of han2005, mirror"},
+         "physics.cushion.model: must be one of han2005, mathavan2010, stronge, mirror"},
         {R"({"table":"open","balls":{"a":{"position_m":[0,0]}},"shot":{"angle_deg":0,"power":1}})",
          "shot: there is no ball named cue"},
         {R"({"table":"open","balls":{"cue":{"position_m":[0,0]}},"shot":{"angle_deg":0,"power":2}})",
@@ -72,6 +72,26 @@ TEST(CaseStream, NamesTheFieldThatIsWrong) {
          "shot.offset: is out of range"},
         {R"({"table":{"cushions":[{"from":[0,0]}]},"balls":{"a":{"position_m":[0,0]}}})",
          "table.cushions[0].to: is missing"},
+        {R"({"table":{},"balls":{"a":{"position_m":[0,0]}}})",
+         "table.cushions: there must be some; a table without any is \"open\""},
+        {R"({"table":{"cushions":[]},"balls":{"a":{"position_m":[0,0]}}})",
+         "table.cushions: there must be some; a table without any is \"open\""},
+        {R"({"table":{"cushions":[{"from":[0,0],"to":[0,0]}]},"balls":{"a":{"position_m":[1,1]}}})",
+         "table.cushions[0]: is out of range"},
+        {R"({"table":"open","physics":{"cushion":{"restitution":1.5}},"balls":{"a":{"position_m":[0,0]}}})",
+         "physics.cushion.restitution: is out of range"},
+        {R"({"table":"open","physics":{"gravity_mps2":null},"balls":{"a":{"position_m":[0,0]}}})",
+         "physics.gravity_mps2: must be a number"},
+        {R"({"table":"open","physics":{"ball_mass_kg":0},"balls":{"a":{"position_m":[0,0]}}})",
+         "physics.ball_mass_kg: is out of range"},
+        {R"({"table":"open","balls":{"a":{"position_m":[null,0]}}})",
+         "balls.a.position_m[0]: must be a number"},
+        {R"({"table":"open","balls":{"a":{"position_m":[1e999,0]}}})",
+         "balls.a.position_m: has a number that is not finite"},
+        {R"({"table":"open","balls":{"a":{"position_m":[0,0]},"a":{"position_m":[1,0]}}})",
+         "balls.a: stands there twice"},
+        {R"({"table":"open","balls":{"a":{"position_m":[0,0]}},"sample_times_s":[-1]})",
+         "sample_times_s[0]: is out of range"},
         {R"({"table":"open","balls":{"a":{"position_m":[0,0]}},"sample_times_s":["x"]})",
          "sample_times_s[0]: must be a number"},
     };
@@ -81,6 +101,33 @@ TEST(CaseStream, NamesTheFieldThatIsWrong) {
         EXPECT_EQ(told.err, std::string(bad.message) + "\n") << bad.input;
         EXPECT_TRUE(told.out.empty()) << bad.input;
     }
+}
+
+TEST(CaseStream, TellsABallTooManyFromAFieldTooMany) {
+    const auto with_balls = [](int count) {
+        std::string text = R"({"table":"open","balls":{)";
+        for (int i = 0; i < count; ++i) {
+            const std::string number = std::to_string(i);
+            text += (i == 0 ? "\"b" : ",\"b") + number + "\":{\"position_m\":[" + number + ",0]}";
+        }
+        return told_one(text + "}}");
+    };
+    EXPECT_EQ(with_balls(22).exit_code, 0);
+    EXPECT_EQ(with_balls(1000).err, "balls: there must be 1 to 22\n");
+    EXPECT_EQ(with_balls(20'000).err, "balls.b10000: is one field too many\n");
+}
+
+TEST(CaseStream, DeepNestingIsAnErrorLikeAnyOther) {
+    const Told told = told_one(std::string(1'000'000, '['));
+    EXPECT_EQ(told.exit_code, 2);
+    EXPECT_TRUE(told.err.starts_with("input: is no JSON: ")) << told.err;
+}
+
+TEST(CaseStream, BytesThatAreNoTextAreAnErrorLikeAnyOther) {
+    std::istringstream in("\xff\xfe\n");
+    std::ostringstream out;
+    EXPECT_EQ(answer_lines(in, out, solve), 0);
+    EXPECT_TRUE(Json::parse(out.str()).contains("error"));
 }
 
 TEST(CaseStream, KeepsErrorsOnTheirLineAndGoesOn) {
