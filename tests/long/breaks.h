@@ -11,9 +11,8 @@ struct BreaksOrder {
     std::uint64_t first = 0;
 };
 
-/// Solves shots of numbers first, first + 1, ...: of each eight, five are hard breaks of a frozen
-/// rack, and one each has scattered, unequal and flying balls, many of them frozen to each other.
-/// Writes every fault with the number of its shot, and the figures at the end.
+/// Solves the shots numbered first, first + 1, ... (numbered_case.h). Writes every fault with the
+/// number of its shot, and the figures at the end.
 bool prove_breaks(const BreaksOrder& order, std::ostream& out);
 
 }  // namespace billiards
