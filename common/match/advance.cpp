@@ -61,6 +61,7 @@ void follow(MatchState& match, const rules::Verdict& verdict) {
     }
     if (verdict.phase == Phase::Break) match.breaker = verdict.next_player;
     give_table_to(match, verdict.next_player, verdict.in_hand, verdict.spotted);
+    rack_on(match, verdict.rerack);
     if (verdict.choices.empty()) return;
     match.stage = Stage::Choosing;
     match.pending = MatchState::Pending{verdict, before};

@@ -50,6 +50,28 @@ Checked check_verdict(const rules::Verdict& verdict, const model::Layout& layout
     return over || playable ? Checked(base::Done{}) : does_not_fit("the cue ball is lost");
 }
 
+/// Fourteen are racked where one ball is left, fifteen whatever is left.
+Checked check_rerack(const MatchState& state, const rules::Verdict& verdict,
+                     const model::Layout& layout) {
+    if (verdict.rerack == rules::Rerack::None) return base::Done{};
+    if (state.settings.game != rules::Game::StraightPool) {
+        return does_not_fit("only straight pool goes on with balls racked again");
+    }
+    const auto is_up = [](const model::PlacedBall& placed) {
+        return placed.ball != model::kCueBall && placed.place == model::Place::OnTable;
+    };
+    const auto left = static_cast<std::size_t>(std::ranges::count_if(layout.balls, is_up));
+    const bool fits =
+        verdict.rerack == rules::Rerack::Fifteen || left + verdict.spotted.size() == 1;
+    return fits ? Checked(base::Done{}) : does_not_fit("fourteen are racked, but not one is left");
+}
+
+Checked check_ruling(const MatchState& state, const rules::Verdict& verdict,
+                     const model::Layout& layout) {
+    if (Checked checked = check_verdict(verdict, layout); !checked) return checked;
+    return check_rerack(state, verdict, layout);
+}
+
 }  // namespace
 
 Checked check_outcome(const MatchState& state, const Command& command,
@@ -60,10 +82,10 @@ Checked check_outcome(const MatchState& state, const Command& command,
         std::holds_alternative<Timeout>(command) && state.stage == Stage::Shooting;
     if (!shot && !ruled_timeout) return base::Done{};
     if (!verdict) return does_not_fit("there is no verdict");
-    if (!shot) return check_verdict(*verdict, state.layout);
+    if (!shot) return check_ruling(state, *verdict, state.layout);
     if (!final_layout) return does_not_fit("there is no final layout");
     if (Checked layout = check_layout(*final_layout, state.layout); !layout) return layout;
-    return check_verdict(*verdict, *final_layout);
+    return check_ruling(state, *verdict, *final_layout);
 }
 
 }  // namespace billiards::match

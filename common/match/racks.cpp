@@ -4,6 +4,7 @@
 #include "common/base/check.h"
 #include "common/base/random.h"
 #include "common/match/placement.h"
+#include "common/match/rerack.h"
 #include "common/model/table_spec.h"
 #include "common/rules/ruleset.h"
 
@@ -74,6 +75,16 @@ void rack_again(MatchState& match, Seat breaker) {
     rack_up(match, breaker);
     match.rack.scores = before.scores;
     match.rack.consecutive_fouls = before.consecutive_fouls;
+}
+
+void rack_on(MatchState& match, rules::Rerack which) {
+    if (which == rules::Rerack::None) return;
+    const std::uint64_t turn = match.turn.value;
+    base::Random random(rack_random(match.seed, match.rack_number).next() ^ turn);
+    const model::TableSpec& table = model::table_of(match.settings.table);
+    const rules::Zone zone = rerack(table, match.layout, which, random);
+    if (zone != rules::Zone::None) match.rack.in_hand = zone;
+    count_balls(match);
 }
 
 void end_rack(MatchState& match, Seat winner) {

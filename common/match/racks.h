@@ -4,6 +4,7 @@
 
 #include "common/match/match_state.h"
 #include "common/model/seat.h"
+#include "common/rules/verdict.h"
 
 #include <optional>
 
@@ -20,6 +21,10 @@ void rack_up(MatchState& match, model::Seat breaker);
 
 /// The same rack once more: its points and its fouls in a row stay.
 void rack_again(MatchState& match, model::Seat breaker);
+
+/// At straight pool the rack goes on with its balls racked again, in another order each time; the
+/// cue ball is taken in hand where it is in the way. None: nothing to do.
+void rack_on(MatchState& match, rules::Rerack which);
 
 /// The rack is won; the next one is racked, or the match is over.
 void end_rack(MatchState& match, model::Seat winner);
