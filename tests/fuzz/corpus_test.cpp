@@ -1,6 +1,7 @@
 // Shows, with any compiler and in a second, what the fuzzer looks for: messages that were damaged
 // on purpose, by a seed, break no decoder.
 #include "common/base/random.h"
+#include "common/replay/replay_file.h"
 #include "tests/common/protocol/samples.h"
 #include "tests/fuzz/decode_anything.h"
 
@@ -28,6 +29,7 @@ std::vector<Bytes> seeds() {
              {columns.command, columns.verdict, columns.final_layout, columns.record}) {
             add(column);
         }
+        add(replay::to_bytes({.header = {}, .entries = {sample.value}}).value());
     }
     return seeds;
 }

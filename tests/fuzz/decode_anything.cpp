@@ -5,7 +5,11 @@
 #include "common/protocol/codec.h"
 #include "common/protocol/codec_journal.h"
 #include "common/protocol/framing.h"
+#include "common/protocol/packing.h"
 #include "common/protocol/text.h"
+#include "common/replay/block_chain.h"
+#include "common/replay/play.h"
+#include "common/replay/replay_file.h"
 #include "common/timeline/evaluate.h"
 
 #include <cmath>
@@ -73,6 +77,32 @@ void decode_around_messages(std::span<const std::byte> bytes) {
     CHECK(!clean || clean_text(*clean, kMaxChatLength) == clean);
 }
 
+void open_replay(std::span<const std::byte> bytes) {
+    const auto opened = replay::from_bytes(bytes);
+    if (!opened) return;
+    for (const JournalEntry& entry : opened->replay.entries) {
+        if (entry.record) play(*entry.record);
+    }
+    static_cast<void>(replay::play(opened->replay, [](const replay::Moment&) {}));
+    const auto again = replay::to_bytes(opened->replay);
+    CHECK(again.ok() && replay::from_bytes(*again)->replay == opened->replay);
+}
+
+/// As a file, and as the content of a file whose checks are right.
+void open_replays(std::span<const std::byte> bytes) {
+    open_replay(bytes);
+    static const Bytes whole = replay::to_bytes(replay::Replay{}).value();
+    const auto start = std::span(whole).first<replay::kStartBytes>();
+    replay::BlockReader reader(whole, replay::kStartBytes);
+    const replay::Block header = reader.next().value();
+    for (const bool is_header : {false, true}) {
+        replay::BlockWriter writer(start);
+        if (!is_header) writer.add(header);
+        writer.add({.kind = is_header ? 1U : 2U, .content = bytes});
+        open_replay(writer.bytes());
+    }
+}
+
 }  // namespace
 
 void decode_anything(std::span<const std::byte> bytes) {
@@ -83,6 +113,8 @@ void decode_anything(std::span<const std::byte> bytes) {
     }
     decode_columns(bytes);
     static_cast<void>(decode_settings(bytes));
+    static_cast<void>(unpacked(bytes, kMaxServerFrameBytes));
+    open_replays(bytes);
     decode_around_messages(bytes);
 }
 

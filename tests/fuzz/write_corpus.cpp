@@ -1,4 +1,5 @@
 // Takes a folder; writes one file a message into it, for the fuzzer to start from.
+#include "common/replay/replay_file.h"
 #include "tests/common/protocol/samples.h"
 
 #include <algorithm>
@@ -37,5 +38,7 @@ int main(int argc, char** argv) {
         const EncodedEntry columns = encode_entry(entry);
         write(folder, "command " + name, columns.command);
         write(folder, "record " + name, columns.record);
+        write(folder, "replay " + name,
+              billiards::replay::to_bytes({.header = {}, .entries = {entry}}).value());
     }
 }
