@@ -52,7 +52,7 @@ def convergence(engine):
     panel.line(errors, BLUE)
     panel.dots(errors, BLUE)
     panel.note(1.6e-4, 4e-5, "0.25 m/s \u00d7 frame: first order", GREY, "end", dx=-8, dy=-8)
-    panel.note(1 / 64, errors[0][1], "64 frames/s: 3.2 mm", BLUE, "end", dx=12, dy=26)
+    panel.note(1 / 64, errors[0][1], "64 frames/s: 3.2 mm", BLUE, "end", dx=-6, dy=-20)
     panel.note(1 / 65536, errors[-1][1], "65,536 frames/s", BLUE, dx=14, dy=10)
     return card(660, 440, [panel.svg()], "Error of the frame-stepped original against its frame length: first order")
 
