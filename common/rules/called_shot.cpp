@@ -12,9 +12,10 @@ bool is_shot_call(model::BallSet balls, const model::Call& call) {
            called->ball.number < model::kMaxBalls && balls.contains(called->ball);
 }
 
-std::optional<model::BallId> called_ball_down(const Facts& facts, const model::Call& call) {
+std::optional<model::BallId> called_ball_down(model::BallSet balls, const model::Call& call,
+                                              const Facts& facts) {
     const auto* called = std::get_if<model::CalledBall>(&call);
-    if (called == nullptr) return std::nullopt;
+    if (called == nullptr || !is_shot_call(balls, call)) return std::nullopt;
     const PocketedBall wanted{called->ball, called->pocket};
     const bool down = std::ranges::find(facts.pocketed, wanted) != facts.pocketed.end();
     return down ? std::optional(called->ball) : std::nullopt;

@@ -12,7 +12,8 @@ namespace billiards::rules {
 /// Whether `call` is a safety, or one of `balls` in a pocket that exists.
 bool is_shot_call(model::BallSet balls, const model::Call& call);
 
-/// The called ball, if it fell into its pocket.
-std::optional<model::BallId> called_ball_down(const Facts& facts, const model::Call& call);
+/// The called ball, if it is one of `balls` and fell into its pocket.
+std::optional<model::BallId> called_ball_down(model::BallSet balls, const model::Call& call,
+                                              const Facts& facts);
 
 }  // namespace billiards::rules

@@ -29,7 +29,7 @@ bool is_breaking_foul(const RackState& state, const model::Call& call, const Fac
     const BallSet driven = facts.driven_after_contact;
     const bool opened =
         driven.contains(model::kCueBall) && (driven - cue_ball).size() >= kBallsToCushionsOnBreak;
-    return state.phase == Phase::Break && !opened && !called_ball_down(facts, call);
+    return state.phase == Phase::Break && !opened && !called_ball_down(state.on_table, call, facts);
 }
 
 bool is_third_in_a_row(const RackState& state) {
@@ -59,7 +59,7 @@ std::vector<Ruling> rulings_without_foul(const RackState& state, const Options& 
                                          const model::Call& call, const Facts& facts) {
     const Seat shooter = state.shooter;
     const Seat other = opponent_of(shooter);
-    const bool made = called_ball_down(facts, call).has_value();
+    const bool made = called_ball_down(state.on_table, call, facts).has_value();
     const int score = state.scores[shooter] + static_cast<int>(facts.pocketed.size());
     return {
         win_for(shooter, made && score >= options.target_points, Reason::TargetReached),
@@ -128,7 +128,7 @@ Verdict StraightPool::judge(const RackState& state, const Options& options, cons
     Verdict verdict = verdict_of(state, std::move(fouls), rulings);
     verdict.phase = Phase::Groups;
     charge(verdict, state.shooter);
-    const bool made = verdict.fouls.empty() && called_ball_down(facts, call);
+    const bool made = verdict.fouls.empty() && called_ball_down(state.on_table, call, facts);
     if (made) verdict.score_change[state.shooter] = static_cast<int>(facts.pocketed.size());
     const bool goes_on = !verdict.winner && verdict.reason != Reason::ThreeFouls;
     if (goes_on) bring_balls_back(verdict, state, facts, made);

@@ -27,7 +27,7 @@ std::vector<Ruling> turn_rulings(const RackState& state, const Options& options,
                                  const model::Call& call, const Facts& facts) {
     const model::Seat shooter = state.shooter;
     const model::Seat other = opponent_of(shooter);
-    const std::optional<BallId> made = called_ball_down(facts, call);
+    const std::optional<BallId> made = called_ball_down(state.on_table, call, facts);
     const bool ten = made == kTenBall;
     const bool ten_may_win = options.ten_wins_any_time || state.on_table == BallSet{kTenBall};
     const bool pot = !facts.pocketed.empty();

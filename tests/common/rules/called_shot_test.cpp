@@ -23,12 +23,20 @@ TEST(CalledShot, IsASafetyOrABallThatMayBeCalledInAPocketThatExists) {
 
 TEST(CalledShot, IsMadeOnlyByTheBallInItsPocket) {
     const Facts facts = ToldShot().hits(9).pots(9, 4).pots(2, 1).facts();
-    EXPECT_EQ(called_ball_down(facts, call(2, 1)), ToldShot::id(2));
-    EXPECT_EQ(called_ball_down(facts, call(9, 4)), ToldShot::id(9));
-    EXPECT_EQ(called_ball_down(facts, call(2, 4)), std::nullopt);
-    EXPECT_EQ(called_ball_down(facts, call(3, 4)), std::nullopt);
-    EXPECT_EQ(called_ball_down(facts, model::NoCall{}), std::nullopt);
-    EXPECT_EQ(called_ball_down(facts, model::Safety{}), std::nullopt);
+    const auto down = [&](const model::Call& said) {
+        return called_ball_down(balls({2, 3, 9}), said, facts);
+    };
+    EXPECT_EQ(down(call(2, 1)), ToldShot::id(2));
+    EXPECT_EQ(down(call(9, 4)), ToldShot::id(9));
+    EXPECT_EQ(down(call(2, 4)), std::nullopt);
+    EXPECT_EQ(down(call(3, 4)), std::nullopt);
+    EXPECT_EQ(down(model::NoCall{}), std::nullopt);
+    EXPECT_EQ(down(model::Safety{}), std::nullopt);
+}
+
+TEST(CalledShot, IsNotMadeByABallThatMayNotBeCalled) {
+    const Facts facts = ToldShot().hits(9).pots(9, 4).facts();
+    EXPECT_EQ(called_ball_down(balls({2}), call(9, 4), facts), std::nullopt);
 }
 
 }  // namespace
