@@ -124,20 +124,34 @@ class Impact {
                   .slate = grip_of(now.slate, grips_.slate, creeping_slate.slate)};
     }
 
-    /// Most of the way to where a slip ends if it goes on as now: there friction turns over.
-    void step_before_stop(const Vec2& slip, const Vec2& change) {
+    /// A slip that ends: most of the way to there if it goes on as now, because friction turns over
+    /// beyond. One that creeps away: no further than to where it slips.
+    void bound_step(const Vec2& slip, const Vec2& change, Grip grip) {
         const double falling = -glm::dot(slip, change);
-        if (falling > 0.0) step_ = std::min(step_, 0.99 * glm::dot(slip, slip) / falling);
+        const bool ends = grip != Grip::Holds && falling > 0.0;
+        if (ends) step_ = std::min(step_, 0.99 * glm::dot(slip, slip) / falling);
+        const double creeping = grip == Grip::Slips ? 0.0 : step_ * length_of(change);
+        const double most = kCreeping * scale_mps_;
+        if (creeping > most) step_ *= most / creeping;
     }
 
     void bound_step(const Passed& p) {
         const Passed now = rate(p);
         const AtBoth change = law_.slip_change(now.friction, now.normal);
-        if (grips_.nose != Grip::Holds) step_before_stop(slip(p).nose, change.nose);
-        if (grips_.slate != Grip::Holds) step_before_stop(slip(p).slate, change.slate);
+        bound_step(slip(p).nose, change.nose, grips_.nose);
+        bound_step(slip(p).slate, change.slate, grips_.slate);
     }
 
-    /// Steps until nothing is left, halving a step until two halves of it agree with the whole.
+    /// The next step's length over the latest one's. The error, here over what is allowed, goes
+    /// with the fifth power of the step; 1 or less is good enough.
+    static double stretch(double error) {
+        if (error > 1e6) return 1.0 / 16.0;
+        if (!(error <= 1.0)) return 0.5;
+        if (error < 1e-7) return 16.0;
+        return error < 1.0 / 64.0 ? 2.0 : 1.0;
+    }
+
+    /// Steps until nothing is left, each so short that two halves of it agree with the whole.
     template <class LeftAt>
     bool advance(Passed& p, LeftAt left_at) {
         constexpr int kMostSteps = 4'000;
@@ -148,16 +162,15 @@ class Impact {
             if (p.normal > kWedged * closing_mps_) return false;
             bound_step(p);
             const Passed next = stepped_twice(p, step_);
-            const double error = difference(stepped(p, step_), next) / scale_mps_;
-            if (!(error <= kTolerance)) {
-                step_ /= 2.0;
-                continue;
+            const double error = difference(stepped(p, step_), next) / (kTolerance * scale_mps_);
+            const double next_step = std::min(stretch(error) * step_, closing_mps_);
+            if (error <= 1.0) {
+                const bool ends = left_at(next).value <= 0.0;
+                p = ends ? stepped_to_end(p, left_at) : next;
+                look_what_holds(p);
+                if (ends) return true;
             }
-            const bool ends = left_at(next).value <= 0.0;
-            p = ends ? stepped_to_end(p, left_at) : next;
-            look_what_holds(p);
-            if (ends) return true;
-            if (error < kTolerance / 64.0) step_ = std::min(2.0 * step_, closing_mps_);
+            step_ = next_step;
         }
         return false;
     }
