@@ -283,6 +283,24 @@ TEST(MatchRerack, HasAnotherOrderEachTime) {
     EXPECT_NE(first->layout, second->layout);
 }
 
+TEST(MatchRerack, AnotherBreakThatWasOrderedKeepsThePointsAndTheFoulsInARow) {
+    const MatchState match = straight_pool();
+    rules::Verdict breaking_foul =
+        offers(opponent_of(match.to_act), {rules::Choice::Accept, rules::Choice::RebreakOpponent});
+    breaking_foul.phase = rules::Phase::Groups;
+    breaking_foul.score_change[match.to_act] = -2;
+    breaking_foul.consecutive_fouls[match.to_act] = 1;
+    const auto choosing = played(match, match.layout, breaking_foul);
+    ASSERT_TRUE(choosing) << choosing.error().detail;
+    const Choose again{choosing->turn, rules::Choice::RebreakOpponent};
+    const MatchState next = applied(*choosing, again).next;
+    EXPECT_EQ(next.to_act, match.to_act);
+    EXPECT_EQ(next.rack.phase, rules::Phase::Break);
+    EXPECT_EQ(next.rack.scores[match.to_act], -2);
+    EXPECT_EQ(next.rack.consecutive_fouls[match.to_act], 1);
+    EXPECT_EQ(filled_from(next.layout, 0), 15);
+}
+
 TEST(MatchRerack, IsRefusedWhereTheJournalsBallsOrGameDoNotFit) {
     const MatchState match = straight_pool();
     const MatchState eight_ball = placed(started());
