@@ -76,6 +76,7 @@ match::Command choose(const MatchState& state, base::Random& random) {
     if (state.stage == match::Stage::Choosing) {
         return match::Choose{state.turn, choose_choice(state)};
     }
+    if (state.rack.on_table.empty()) return match::Concede{};  // Practice is done.
     if (!state.layout.on_table(model::kCueBall)) return match::PlaceCueBall{choose_place(state)};
     if (state.rack.phase == rules::Phase::Break) return break_shot(state, random);
     return best_shot(state);

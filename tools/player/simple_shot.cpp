@@ -68,6 +68,7 @@ match::Command simple_shot(const match::MatchState& state, base::Random& random)
     if (state.stage == match::Stage::Choosing) {
         return match::Choose{.turn = state.turn, .choice = state.pending->verdict.choices.front()};
     }
+    if (state.rack.on_table.empty()) return match::Concede{};  // Practice is done.
     const model::TableSpec& table = model::table_of(state.settings.table);
     const model::PlacedBall* cue_ball = state.layout.find(model::kCueBall);
     if (cue_ball == nullptr || cue_ball->place != model::Place::OnTable) {

@@ -5,6 +5,7 @@
 #include "common/match/match.h"
 #include "common/match/placement.h"
 #include "common/rules/verdict.h"
+#include "tests/common/match/soundness.h"
 
 #include <gtest/gtest.h>
 #include <optional>
@@ -88,36 +89,8 @@ inline MatchState folded_again(const MatchState& before, model::Seat seat, const
     return std::move(again).value();
 }
 
-/// What every match keeps, whatever was done in it.
 inline void expect_sound(const MatchState& match) {
-    model::BallSet object_balls;
-    for (std::size_t i = 0; i < match.layout.balls.size(); ++i) {
-        const model::PlacedBall& placed = match.layout.balls[i];
-        EXPECT_EQ(placed.ball.number, i) << "each ball once, in ascending number";
-        const bool counts = placed.place == model::Place::OnTable && i > 0;
-        if (counts) object_balls.insert(placed.ball);
-        EXPECT_TRUE(i == 0 || placed.place != model::Place::InHand);
-    }
-    EXPECT_EQ(match.rack.on_table, object_balls);
-    const model::TableSpec& table = model::table_of(match.settings.table);
-    EXPECT_EQ(match.rack.behind_head_string, balls_behind_head_string(table, match.layout));
-
-    const model::Place cue_ball = match.layout.find(model::kCueBall)->place;
-    const bool in_zone = match.rack.in_hand != rules::Zone::None;
-    EXPECT_TRUE(cue_ball != model::Place::InHand || in_zone);
-    if (match.stage != Stage::Over) {
-        EXPECT_TRUE(cue_ball == model::Place::InHand || cue_ball == model::Place::OnTable);
-        EXPECT_EQ(match.rack.shooter, match.to_act);
-    }
-    EXPECT_EQ(match.winner.has_value(), match.stage == Stage::Over);
-    EXPECT_EQ(match.pending.has_value(), match.stage == Stage::Choosing);
-    EXPECT_EQ(match.rack.groups.has_value(), match.rack.phase == rules::Phase::Groups);
-    for (const model::Seat seat : model::kSeats) {
-        EXPECT_LE(match.racks_won[seat], match.settings.race_to);
-    }
-    const int racks_won =
-        match.racks_won[model::Seat::First] + match.racks_won[model::Seat::Second];
-    EXPECT_TRUE(racks_won == match.rack_number - 1 || racks_won == match.rack_number);
+    EXPECT_EQ(first_fault(match), std::nullopt);
 }
 
 }  // namespace billiards::match
