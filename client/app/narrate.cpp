@@ -156,25 +156,32 @@ std::string joined(const std::vector<std::string>& clauses) {
 }  // namespace
 
 std::string narrate(const TableView& before, const server::ShotPlayed& shot) {
+    return rack_and_shot(before, shot.after.shots_played, "shot") + ": " + tell(before, shot);
+}
+
+std::string narrate(const TableView& before, const server::MatchMoved& moved) {
+    return rack_and_shot(before, moved.after.shots_played, "after shot") + ": " +
+           tell(before, moved);
+}
+
+std::string tell(const TableView& before, const server::ShotPlayed& shot) {
     std::string happened = what_fell(rules::facts_of(shot.record.events));
     const std::string_view note = remark(shot.verdict.reason);
     if (!note.empty()) happened += fmt::format(", {}", note);
     return fmt::format(
-        "{}: {} {}: {}", rack_and_shot(before, shot.after.shots_played, "shot"),
-        before.row.seats[shot.seat].name, said(before, shot.call),
+        "{} {}: {}", before.row.seats[shot.seat].name, said(before, shot.call),
         joined({happened, fouls_of(shot.verdict), groups_set(before, shot.after, shot.verdict),
                 what_follows(before, shot.verdict)}));
 }
 
-std::string narrate(const TableView& before, const server::MatchMoved& moved) {
+std::string tell(const TableView& before, const server::MatchMoved& moved) {
     const std::string who = before.row.seats[moved.seat].name;
     const std::string what =
         moved.choice ? "chose to " + words(*moved.choice) : std::string("ran out of time");
     const std::string next = short_name(before, moved.after.to_act);
     const bool is_break = moved.after.rack.phase == rules::Phase::Break;
-    return fmt::format(
-        "{}: {} {}; {} to {}{}", rack_and_shot(before, moved.after.shots_played, "after shot"), who,
-        what, next, is_break ? "break" : "play", is_break ? "" : in_hand(moved.after.rack.in_hand));
+    return fmt::format("{} {}; {} to {}{}", who, what, next, is_break ? "break" : "play",
+                       is_break ? "" : in_hand(moved.after.rack.in_hand));
 }
 
 std::string narrate(const TableView& before, const server::MatchOver& over) {

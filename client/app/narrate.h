@@ -20,6 +20,10 @@ std::string narrate(const TableView& before, const protocol::server::MatchMoved&
 /// "Ada#12ab wins the match 2-1"
 std::string narrate(const TableView& before, const protocol::server::MatchOver& over);
 
+/// The same without their numbers: "Ada#12ab called 5 in pocket 2: pocketed 5; Ada continues"
+std::string tell(const TableView& before, const protocol::server::ShotPlayed& shot);
+std::string tell(const TableView& before, const protocol::server::MatchMoved& moved);
+
 /// The name of a seat's player as it is said in passing.
 std::string short_name(const TableView& table, model::Seat seat);
 

@@ -1,9 +1,10 @@
-// Takes the command line and cases on standard input; gives answers on standard output.
+// Takes the command line, and cases on standard input or a file; gives answers on standard output.
 #include "tools/sim/bench.h"
 #include "tools/sim/case_stream.h"
 #include "tools/sim/collide.h"
 #include "tools/sim/contact_time.h"
 #include "tools/sim/judge.h"
+#include "tools/sim/replay.h"
 #include "tools/sim/solve.h"
 #include "tools/sim/strike.h"
 
@@ -20,7 +21,7 @@ using namespace billiards::tools;
 
 constexpr int kBadInput = 2;
 
-/// One that reads cases; benchmarks read none.
+/// One that reads cases; benchmarks and replays read none.
 struct Subcommand {
     const char* name;
     const char* help;
@@ -40,8 +41,25 @@ int answer(const AnswerCase& answer_case, bool is_by_line) {
                       : answer_one(std::cin, std::cout, std::cerr, answer_case);
 }
 
+void add_bench(CLI::App& app, BenchCase& bench_case, double& seconds) {
+    const std::map<std::string, BenchCase> cases{
+        {"break8", BenchCase::Break8}, {"break9", BenchCase::Break9}, {"mid", BenchCase::Mid}};
+    CLI::App* benching = app.add_subcommand("bench", "Measure how fast shots are solved");
+    benching->add_option("--case", bench_case, "break8, break9 or mid")
+        ->transform(CLI::CheckedTransformer(cases));
+    benching->add_option("--seconds", seconds, "How long; 1,000 shots at least")
+        ->check(CLI::Range(0.0, 3600.0));
+}
+
+void add_replay(CLI::App& app, ReplayOptions& options) {
+    CLI::App* replaying = app.add_subcommand("replay", "Read a match that was played");
+    replaying->add_option("FILE", options.file, "A .billiards file")->required();
+    replaying->add_flag("--print", options.is_printed, "The match shot by shot; the default");
+    replaying->add_flag("--verify", options.is_verified, "Solve and judge every shot again");
+}
+
 int run(int argc, char** argv) {
-    CLI::App app{"The physics and the rules of gl-billiards without a match: JSON in, JSON out"};
+    CLI::App app{"The physics and the rules of gl-billiards without a server"};
     app.require_subcommand(1);
 
     bool is_by_line = false;
@@ -50,15 +68,11 @@ int run(int argc, char** argv) {
             ->add_flag("--jsonl", is_by_line, "One case a line; errors stay on their line");
     }
 
-    CLI::App* benching = app.add_subcommand("bench", "Measure how fast shots are solved");
     BenchCase bench_case = BenchCase::Break8;
     double seconds = 2.0;
-    const std::map<std::string, BenchCase> cases{
-        {"break8", BenchCase::Break8}, {"break9", BenchCase::Break9}, {"mid", BenchCase::Mid}};
-    benching->add_option("--case", bench_case, "break8, break9 or mid")
-        ->transform(CLI::CheckedTransformer(cases));
-    benching->add_option("--seconds", seconds, "How long; 1,000 shots at least")
-        ->check(CLI::Range(0.0, 3600.0));
+    add_bench(app, bench_case, seconds);
+    ReplayOptions replay;
+    add_replay(app, replay);
 
     try {
         app.parse(argc, argv);
@@ -68,6 +82,7 @@ int run(int argc, char** argv) {
     for (const Subcommand& each : kSubcommands) {
         if (app.got_subcommand(each.name)) return answer(each.answer_case, is_by_line);
     }
+    if (app.got_subcommand("replay")) return replay_file(replay, std::cout, std::cerr);
     std::cout << bench(bench_case, seconds).dump() << '\n';
     return 0;
 }
