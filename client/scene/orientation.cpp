@@ -40,14 +40,19 @@ Orientations::Orientations() {
         const double y = part();
         turned_ball = glm::normalize(glm::dquat(w, x, y, part()));
     }
+    start_shot();
+}
+
+void Orientations::start_shot() {
     before_shot_ = shown_;
     on_grid_ = shown_;
+    steps_ = 0;
 }
 
 void Orientations::advance(const timeline::Timeline& timeline, double time_s) {
     const double time = std::clamp(time_s, 0.0, kLongest_s);
     const auto steps = static_cast<std::int64_t>(std::floor(time / kStep_s));
-    if (steps < steps_ || steps == 0) {
+    if (steps < steps_) {
         on_grid_ = before_shot_;
         steps_ = 0;
     }

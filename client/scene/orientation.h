@@ -21,7 +21,7 @@ class Orientations {
     Orientations();
 
     /// As they are turned now is how the next shot begins.
-    void start_shot() { before_shot_ = shown_; }
+    void start_shot();
     /// To time_s after the strike of the shot that was started last. Forward costs the time
     /// between; backward, too, is allowed, and costs all from the strike. Below 0 is the strike.
     void advance(const timeline::Timeline& timeline, double time_s);

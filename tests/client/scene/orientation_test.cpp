@@ -87,6 +87,19 @@ TEST(Orientations, TheNextShotBeginsAsTheLastOneEnded) {
     EXPECT_EQ(orientations.of(kBall), between_shots);
 }
 
+TEST(Orientations, AShotThatIsJoinedLateIsShownFromItsStrike) {
+    Orientations seen;
+    Orientations joined;
+    for (Orientations* each : {&seen, &joined}) {
+        each->advance(rolling(1.0), 1.0);
+        each->start_shot();
+    }
+    seen.advance(rolling(2.0), 0.5);
+    seen.advance(rolling(2.0), 3.0);
+    joined.advance(rolling(2.0), 3.0);
+    EXPECT_EQ(seen.of(kBall), joined.of(kBall));
+}
+
 TEST(Orientations, OfManyTurnsStayOneLong) {
     Orientations orientations;
     orientations.advance(rolling(10.0), 30.0);
