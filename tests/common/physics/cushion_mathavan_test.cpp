@@ -87,7 +87,7 @@ TEST(MathavanCushion, FollowsThePapersEquationsWhereAllSlips) {
     for (const double degrees : {10.0, 30.0, 50.0, 80.0}) {
         for (const double side : {-2.0, -1.0, 1.0, 2.0}) {
             const Body ball = incident(base::radians(degrees), 2.0, side);
-            const Body expected = integrated(snooker(), ball, kSnookerLean, 1e5);
+            const Body expected = integrated(snooker(), ball, kSnookerLean, 4e4);
             EXPECT_LT(distance_of(bounced(snooker(), ball, kSnookerLean), expected), 1e-9)
                 << degrees << " degrees, side spin " << side;
         }
@@ -98,8 +98,8 @@ TEST(MathavanCushion, FollowsThePapersEquationsThroughRollingStickingAndTurning)
     for (const double degrees : {15.0, 45.0, 75.0, 90.0}) {
         for (const double top : {-1.0, 0.0, 1.0}) {
             const Body ball = incident(base::radians(degrees), top, 0.0);
-            const Body expected = integrated(snooker(), ball, kSnookerLean, 2e5);
-            EXPECT_LT(distance_of(bounced(snooker(), ball, kSnookerLean), expected), 2e-5)
+            const Body expected = integrated(snooker(), ball, kSnookerLean, 5e4);
+            EXPECT_LT(distance_of(bounced(snooker(), ball, kSnookerLean), expected), 5e-5)
                 << degrees << " degrees, top spin " << top;
         }
     }
@@ -111,9 +111,27 @@ TEST(MathavanCushion, FollowsThePapersEquationsForPoolBallsOnSlowAndFastCloth) {
         parameters.sliding_friction = cloth;
         for (const Vec3& spin : {Vec3{0, 0, 0}, Vec3{-35, 70, 0}, Vec3{40, -60, 90}}) {
             const Body ball = lone_ball({2, 1, 0}, spin);
-            const Body expected = integrated(parameters, ball, 0.27, 2e5);
-            EXPECT_LT(distance_of(bounced(parameters, ball), expected), 5e-5) << cloth;
+            const Body expected = integrated(parameters, ball, 0.27, 5e4);
+            EXPECT_LT(distance_of(bounced(parameters, ball), expected), 1e-4) << cloth;
         }
+    }
+}
+
+TEST(MathavanCushion, FollowsThePapersEquationsForAnyBall) {
+    base::Random random(77);
+    for (int i = 0; i < 60; ++i) {
+        // Friction at the nose that cannot lift the ball: there the equations would have the slate
+        // pull.
+        Parameters parameters = with_cushion(CushionModel::Mathavan2010, random.uniform(0.6, 1.0),
+                                             random.uniform(0.0, 0.25));
+        parameters.sliding_friction = random.uniform(0.0, 0.4);
+        Body ball = random_ball(random);
+        ball.state.velocity_mps.x += 0.5;
+        if (i % 2 == 0) ball.state.spin_radps = rolling_spin(ball.state.velocity_mps);
+        const double scale =
+            speed_of(ball.state.velocity_mps) + kRadius_m * speed_of(ball.state.spin_radps);
+        const Body expected = integrated(parameters, ball, 0.27, 2e4);
+        EXPECT_LT(distance_of(bounced(parameters, ball), expected) / scale, 1e-4) << i;
     }
 }
 
