@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace billiards::physics {
 
@@ -10,10 +11,14 @@ namespace {
 
 using base::Vec2;
 
+double length_of(const Vec2& v) {
+    return std::sqrt(v.x * v.x + v.y * v.y);
+}
+
 Wall wall_of(const model::CushionSegment& segment) {
     Wall wall{.from_m = segment.from_m};
     const Vec2 span = segment.to_m - segment.from_m;
-    wall.length_m = std::sqrt(span.x * span.x + span.y * span.y);
+    wall.length_m = length_of(span);
     wall.along = span / wall.length_m;
     wall.normal = {-wall.along.y, wall.along.x};
     wall.box.include(segment.from_m);
@@ -27,8 +32,12 @@ Post post_at(const Vec2& center, double radius_m) {
     return post;
 }
 
-Pocket pocket_of(const model::PocketCircle& circle) {
+Pocket pocket_of(const model::PocketCircle& circle, const std::vector<model::JawArc>& jaws) {
     Pocket pocket{.center_m = circle.center_m, .radius_m = circle.radius_m};
+    pocket.mouth_m = std::numeric_limits<double>::infinity();
+    for (const model::JawArc& jaw : jaws) {
+        pocket.mouth_m = std::min(pocket.mouth_m, length_of(jaw.center_m - circle.center_m));
+    }
     pocket.box.include(circle.center_m);
     return pocket;
 }
@@ -54,7 +63,8 @@ TableShape::TableShape(const model::TableSpec& table, double largest_radius_m)
             cushions.include(end);
         }
     }
-    for (const model::PocketCircle& circle : table.pockets) pockets.push_back(pocket_of(circle));
+    for (const model::PocketCircle& circle : table.pockets)
+        pockets.push_back(pocket_of(circle, table.jaws));
     has_marks = table.half_playing_m != Vec2{};
     if (has_marks) {
         cushions = {table.center_m - table.half_playing_m, table.center_m + table.half_playing_m};
@@ -86,9 +96,7 @@ void TableShape::find_calm(double largest_radius_m) {
 
 bool is_at_end(const Post& post, const Vec2& end) {
     constexpr double kSlack_m = 1e-6;
-    const Vec2 offset = end - post.center_m;
-    const double distance = std::sqrt(offset.x * offset.x + offset.y * offset.y);
-    return std::abs(distance - post.radius_m) <= kSlack_m;
+    return std::abs(length_of(end - post.center_m) - post.radius_m) <= kSlack_m;
 }
 
 bool is_behind_nose(const TableShape& shape, const Vec2& point) {
@@ -107,7 +115,11 @@ bool is_behind_nose(const TableShape& shape, const Vec2& point) {
         }
         return false;
     };
-    return std::any_of(shape.walls.begin(), shape.walls.end(), is_behind);
+    const auto is_in_mouth = [&](const Pocket& pocket) {
+        return length_of(point - pocket.center_m) <= pocket.mouth_m;
+    };
+    return std::any_of(shape.walls.begin(), shape.walls.end(), is_behind) ||
+           std::none_of(shape.pockets.begin(), shape.pockets.end(), is_in_mouth);
 }
 
 }  // namespace billiards::physics

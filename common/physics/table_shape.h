@@ -55,6 +55,7 @@ struct Post {
 struct Pocket {
     base::Vec2 center_m{};
     double radius_m = 0.0;
+    double mouth_m = 0.0;  ///< From the centre to the nearest jaw: what is in its mouth is nearer.
     Box box{};
 };
 
@@ -93,8 +94,8 @@ inline bool faces(const Wall& wall, const base::Vec2& point) {
     return foot >= -kSlack_m && foot <= wall.length_m + kSlack_m;
 }
 
-/// Whether a centre lies past the playing surface and behind a nose, not between a pocket's jaws.
-/// Only where the table has marks.
+/// Whether a centre lies past the playing surface, behind a nose or beyond a pocket's mouth. Only
+/// where the table has marks.
 bool is_behind_nose(const TableShape& shape, const base::Vec2& point);
 
 }  // namespace billiards::physics

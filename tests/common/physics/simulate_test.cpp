@@ -128,6 +128,18 @@ TEST(Simulate, ABallThatFliesOverTheRailIsOffTheTable) {
     EXPECT_EQ(record.final_layout.balls[0].place, model::Place::OffTable);
 }
 
+TEST(Simulate, ABallThatComesDownOnTheCornerOfTheRailsIsOffTheTable) {
+    // Beyond the facings' ends, where no nose is beside it, and out of the pocket's reach.
+    const Vec2 corner = nine_foot().half_playing_m;
+    BallStart ball = ball_at(1, corner - Vec2{0.4, 0.6});
+    ball.position_m.z += 0.6;
+    const double fall_s = std::sqrt(2 * 0.6 / Parameters{}.gravity_mps2);
+    ball.velocity_mps = Vec3{Vec2{0.52, 0.52} / fall_s, 0.0};
+    const auto record = solved(nine_foot(), {}, {ball});
+    EXPECT_EQ(events_of(record, EventKind::OffTable).size(), 1U);
+    EXPECT_TRUE(events_of(record, EventKind::Landing).empty());
+}
+
 TEST(Simulate, AnAirborneBallMeetsTheNoseByItsTrueHeight) {
     BallStart low = ball_at(1, {1.0, 0.1}, {3, 0});
     low.velocity_mps.z = 0.3;
