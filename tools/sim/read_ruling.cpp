@@ -1,7 +1,10 @@
 // Takes JSON; gives a ruling to be made, or a fault that names the field.
 #include "tools/sim/read_ruling.h"
 
+#include "common/base/random.h"
+#include "common/model/table_spec.h"
 #include "common/physics/simulate.h"
+#include "common/rules/ruleset.h"
 #include "tools/sim/words.h"
 
 #include <algorithm>
@@ -50,10 +53,12 @@ BallSet read_balls(const JsonNode& node) {
 }
 
 BallSet full_rack(Game game) {
-    const int last = game == Game::NineBall ? 9 : game == Game::TenBall ? 10 : kObjectBalls;
+    base::Random any_order(0);
+    const model::Layout layout = rules::ruleset_of(game).rack(
+        {}, model::table_of(model::TableSize::NineFoot), model::BallSpec{}.radius_m, any_order);
     BallSet balls;
-    for (int number = 1; number <= last; ++number)
-        balls.insert({static_cast<std::uint8_t>(number)});
+    for (const model::PlacedBall& placed : layout.balls) balls.insert(placed.ball);
+    balls.erase(model::kCueBall);
     return balls;
 }
 
@@ -107,7 +112,8 @@ rules::RackState read_state(const JsonNode& node, Game game) {
     if (has_groups) state.groups = read_groups(node["groups"]);
     const JsonNode on_table = node["on_table"];
     state.on_table = on_table.is_present() ? read_balls(on_table) : full_rack(game);
-    if (state.on_table.empty()) on_table.report("must have a ball to play");
+    const bool may_be_clear = game == Game::Practice;
+    if (state.on_table.empty() && !may_be_clear) on_table.report("must have a ball to play");
     state.in_hand = read_word_or(node["in_hand"], state.in_hand);
     state.behind_head_string = read_balls(node["behind_head_string"]);
     state.consecutive_fouls = read_counts(node["consecutive_fouls"], 0);
@@ -185,7 +191,6 @@ std::vector<ShotEvent> read_events(const JsonNode& node) {
 RulingCase read_ruling(const JsonNode& node) {
     RulingCase ruling;
     ruling.game = read_word<Game>(node["game"]);
-    if (ruling.game != Game::EightBall) node["game"].report("has no rules here yet");
     ruling.options = read_options(node["options"], node["state"]["target"]);
     ruling.state = read_state(node["state"], ruling.game);
     ruling.call = read_call(node["call"]);

@@ -3,12 +3,13 @@
 #include "tools/sim/judge.h"
 
 #include "common/base/check.h"
+#include "common/base/random.h"
 #include "tools/sim/words.h"
 
+#include <algorithm>
 #include <cctype>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -45,9 +46,10 @@ std::vector<Told> told_in(const std::string& file) {
 std::string test_name(const testing::TestParamInfo<Told>& info) {
     std::string name;
     bool starts_word = true;
-    for (const unsigned char c : info.param.name) {
-        if (std::isalnum(c)) name += static_cast<char>(starts_word ? std::toupper(c) : c);
-        starts_word = !std::isalnum(c);
+    for (const char letter : info.param.name) {
+        const bool is_part = std::isalnum(static_cast<unsigned char>(letter)) != 0;
+        if (is_part) name += starts_word ? static_cast<char>(std::toupper(letter)) : letter;
+        starts_word = !is_part;
     }
     return name;
 }
@@ -85,6 +87,11 @@ TEST_P(Ruling, IsAsTold) {
 
 INSTANTIATE_TEST_SUITE_P(EightBall, Ruling, testing::ValuesIn(told_in("eight_ball.json")),
                          test_name);
+INSTANTIATE_TEST_SUITE_P(NineBall, Ruling, testing::ValuesIn(told_in("nine_ball.json")), test_name);
+INSTANTIATE_TEST_SUITE_P(TenBall, Ruling, testing::ValuesIn(told_in("ten_ball.json")), test_name);
+INSTANTIATE_TEST_SUITE_P(StraightPool, Ruling, testing::ValuesIn(told_in("straight_pool.json")),
+                         test_name);
+INSTANTIATE_TEST_SUITE_P(Practice, Ruling, testing::ValuesIn(told_in("practice.json")), test_name);
 
 TEST(Judge, WritesEveryFieldInTheOrderOfTheContract) {
     const Json input = Json::parse(R"({"game":"eight-ball","events":[
@@ -208,6 +215,73 @@ TEST(Judge, TakesNoMoreEventsThanAShotCanHave) {
     Json input{{"game", "eight-ball"}, {"events", Json::array()}};
     for (int i = 0; i <= 20'000; ++i) input["events"].push_back({{"kind", "motion"}});
     EXPECT_EQ(fault_of(input.dump()), "events: must be at most 20000");
+}
+
+/// Anything that can be written down, whether it can happen or not.
+Json random_input(const char* game, base::Random& random) {
+    const auto one_of = [&](const auto& words) { return words[random.below(words.size())]; };
+    const auto some_balls = [&] {
+        Json balls = Json::array();
+        for (int ball = 1; ball <= 15; ++ball) {
+            if (random.below(3) == 0) balls.push_back(ball);
+        }
+        return balls;
+    };
+    Json input{{"game", game}, {"call", Json()}, {"events", Json::array()}};
+    input["options"] = {{"call", random.below(2) == 0},
+                        {"ten_wins_any_time", random.below(2) == 0}};
+    input["state"] = {{"phase", one_of(words_of(rules::Phase{}))},
+                      {"shooter", random.below(2)},
+                      {"in_hand", one_of(words_of(rules::Zone{}))},
+                      {"behind_head_string", some_balls()},
+                      {"consecutive_fouls", {random.below(3), random.below(3)}},
+                      {"push_out_allowed", random.below(2) == 0},
+                      {"scores", {random.below(101), random.below(101)}}};
+    if (Json balls = some_balls(); !balls.empty()) input["state"]["on_table"] = balls;
+    const auto ball = [&] {
+        const auto number = random.below(16);
+        return number == 0 ? Json("cue") : Json(number);
+    };
+    const Json calls[] = {
+        {{"ball", 1 + random.below(15)}, {"pocket", random.below(2)}}, "safety", "push-out"};
+    if (const auto said = random.below(4); said < 3) input["call"] = calls[said];
+    for (auto left = random.below(8); left > 0; --left) {
+        Json event{{"t", random.below(4)},
+                   {"kind", one_of(words_of(model::EventKind{}))},
+                   {"ball", ball()},
+                   {"pocket", random.below(2)}};
+        event["balls"] = {"cue", 1 + random.below(15)};
+        input["events"].push_back(event);
+    }
+    return input;
+}
+
+void expect_sound(const Json& verdict, const Json& shooter) {
+    EXPECT_EQ(verdict["choices"].empty(), verdict["chooser"].is_null());
+    if (!verdict["chooser"].is_null()) {
+        EXPECT_EQ(verdict["chooser"], verdict["next_player"]);
+        EXPECT_EQ(verdict["turn_continues"], false);
+        EXPECT_TRUE(verdict["winner"].is_null());
+    }
+    if (!verdict["winner"].is_null()) {
+        EXPECT_EQ(verdict["winner"], verdict["next_player"]);
+        EXPECT_EQ(verdict["turn_continues"], false);
+        EXPECT_EQ(verdict["in_hand"], "none");
+        EXPECT_TRUE(verdict["spotted"].empty());
+    }
+    EXPECT_TRUE(verdict["turn_continues"] == false || verdict["next_player"] == shooter);
+    EXPECT_TRUE(std::ranges::is_sorted(verdict["spotted"]));
+}
+
+TEST(Judge, RulesSoundlyOnWhateverIsTold) {
+    base::Random random(7);
+    for (const char* game : words_of(rules::Game{})) {
+        for (int i = 0; i < 400; ++i) {
+            const Json input = random_input(game, random);
+            SCOPED_TRACE(input.dump());
+            expect_sound(judged(input), input["state"]["shooter"]);
+        }
+    }
 }
 
 template <class Enum>
