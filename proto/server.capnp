@@ -166,6 +166,7 @@ struct MatchOver {
   }
   shots @4 :UInt32;
   conceded @5 :Bool;
+  undecided @6 :Bool;  # Nobody has won, whatever winner says.
 }
 
 struct ChatSaid {

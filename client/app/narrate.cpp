@@ -142,6 +142,31 @@ std::string groups_set(const TableView& before, const match::MatchState& after,
     return short_name(before, shooter) + " has " + words((*verdict.groups)[shooter]);
 }
 
+/// How the match ended, without a shot.
+std::string_view last_words(const match::MatchState& over) {
+    if (over.winner) return "concedes";
+    const bool is_practice = over.settings.game == rules::Game::Practice;
+    return is_practice ? "ends the practice" : "agrees to the draw";
+}
+
+/// A step without a shot: what is new in the match tells which.
+std::string what_was_done(const match::MatchState& was, const server::MatchMoved& moved) {
+    const match::MatchState& is = moved.after;
+    if (moved.choice) return "chose to " + words(*moved.choice);
+    if (moved.verdict) return "ran out of time";
+    if (is.offer && is.offer != was.offer) {
+        const bool draw = is.offer->kind == match::OfferKind::Draw;
+        return draw ? "offers a draw" : "offers to play the rack again";
+    }
+    const bool answered = was.offer && was.offer->by != moved.seat;
+    if (answered && is.turn == was.turn) return "declines";
+    if (answered && is.rack.phase == rules::Phase::Break) return "agrees to play the rack again";
+    if (is.claim && !was.claim) return "claims a stalemate";
+    if (is.extended_in != was.extended_in) return "takes an extension";
+    if (is.turn == was.turn) return "places a ball";
+    return "ran out of time";  // Of a choice.
+}
+
 /// "a; b; c" of those that are not empty.
 std::string joined(const std::vector<std::string>& clauses) {
     std::string text;
@@ -176,8 +201,10 @@ std::string tell(const TableView& before, const server::ShotPlayed& shot) {
 
 std::string tell(const TableView& before, const server::MatchMoved& moved) {
     const std::string who = before.row.seats[moved.seat].name;
-    const std::string what =
-        moved.choice ? "chose to " + words(*moved.choice) : std::string("ran out of time");
+    if (moved.after.stage == match::Stage::Over && !moved.verdict) {
+        return fmt::format("{} {}", who, last_words(moved.after));
+    }
+    const std::string what = what_was_done(before.match.value_or(match::MatchState{}), moved);
     const std::string next = short_name(before, moved.after.to_act);
     const bool is_break = moved.after.rack.phase == rules::Phase::Break;
     return fmt::format("{} {}; {} to {}{}", who, what, next, is_break ? "break" : "play",
@@ -185,11 +212,16 @@ std::string tell(const TableView& before, const server::MatchMoved& moved) {
 }
 
 std::string narrate(const TableView& before, const server::MatchOver& over) {
-    const model::Seat loser = model::opponent_of(over.winner);
+    if (!over.winner) {
+        if (before.row.settings.game == rules::Game::Practice) return "practice is over";
+        return fmt::format("the match is drawn {}-{}", over.racks_won[model::Seat::First],
+                           over.racks_won[model::Seat::Second]);
+    }
+    const model::Seat loser = model::opponent_of(*over.winner);
     const std::string how =
         over.conceded ? fmt::format(": {} conceded", short_name(before, loser)) : std::string();
-    return fmt::format("{} wins the match {}-{}{}", before.row.seats[over.winner].name,
-                       over.racks_won[over.winner], over.racks_won[loser], how);
+    return fmt::format("{} wins the match {}-{}{}", before.row.seats[*over.winner].name,
+                       over.racks_won[*over.winner], over.racks_won[loser], how);
 }
 
 std::string short_name(const TableView& table, model::Seat seat) {

@@ -30,9 +30,11 @@ Choice choose_choice(const MatchState& state) {
     const auto is_offered = [&](Choice choice) {
         return std::ranges::find(offered, choice) != offered.end();
     };
-    if (is_offered(Choice::Accept) && outlook(state) >= kGoodOutlook) return Choice::Accept;
+    for (const Choice as_it_lies : {Choice::Accept, Choice::Play}) {
+        if (is_offered(as_it_lies) && outlook(state) >= kGoodOutlook) return as_it_lies;
+    }
     const Choice preferred[] = {Choice::SpotEight, Choice::BallInHandBehindHeadString,
-                                Choice::RebreakSelf};
+                                Choice::RebreakSelf, Choice::PassBack};
     const auto first = std::ranges::find_if(preferred, is_offered);
     return first != std::end(preferred) ? *first : offered.front();
 }

@@ -35,7 +35,7 @@ constexpr auto last_of(model::Seat) { return Last{model::Seat::Second, wire::Sea
 constexpr auto last_of(model::Motion) { return Last{model::Motion::OffTable, wire::Motion::OFF_TABLE}; }
 constexpr auto last_of(model::Place) { return Last{model::Place::OffTable, wire::Place::OFF_TABLE}; }
 constexpr auto last_of(model::TableSize) { return Last{model::TableSize::NineFoot, wire::TableSize::NINE_FOOT}; }
-constexpr auto last_of(rules::Game) { return Last{rules::Game::EightBall, wire::Game::EIGHT_BALL}; }
+constexpr auto last_of(rules::Game) { return Last{rules::Game::Practice, wire::Game::PRACTICE}; }
 constexpr auto last_of(rules::Group) { return Last{rules::Group::Stripes, wire::Group::STRIPES}; }
 constexpr auto last_of(rules::Phase) { return Last{rules::Phase::AfterBreak, wire::Phase::AFTER_BREAK}; }
 constexpr auto last_of(rules::Zone) { return Last{rules::Zone::BehindHeadString, wire::Zone::BEHIND_HEAD_STRING}; }

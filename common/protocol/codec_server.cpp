@@ -105,7 +105,8 @@ void write(Out out, const server::MatchMoved& moved) {
 void write(Out out, const server::MatchOver& over) {
     auto body = out.initMatchOver();
     body.setSequence(over.sequence);
-    body.setWinner(to_wire(over.winner));
+    if (over.winner) body.setWinner(to_wire(*over.winner));
+    body.setUndecided(!over.winner);
     write_counts(body.getRacksWon(), over.racks_won);
     body.setShots(over.shots);
     body.setConceded(over.conceded);
@@ -207,7 +208,7 @@ server::MatchMoved read(wire::MatchMoved::Reader in) {
 
 server::MatchOver read(wire::MatchOver::Reader in) {
     return {.sequence = in.getSequence(),
-            .winner = read(in.getWinner()),
+            .winner = in.getUndecided() ? std::nullopt : std::optional(read(in.getWinner())),
             .racks_won = read_counts(in.getRacksWon(), "racks_won"),
             .shots = in.getShots(),
             .conceded = in.getConceded()};

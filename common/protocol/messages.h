@@ -258,7 +258,7 @@ struct MatchMoved {
 };
 struct MatchOver {
     std::uint64_t sequence = 0;
-    model::Seat winner = model::Seat::First;
+    std::optional<model::Seat> winner;  ///< None after a draw or practice.
     model::PerSeat<int> racks_won;
     std::uint32_t shots = 0;
     bool conceded = false;

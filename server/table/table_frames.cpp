@@ -109,7 +109,7 @@ void Table::announce_move(Step step) {
 void Table::announce_over(bool conceded) {
     const match::MatchState& state = match_->state;
     broadcast(say::MatchOver{.sequence = ++sequence_,
-                             .winner = *state.winner,
+                             .winner = state.winner,
                              .racks_won = state.racks_won,
                              .shots = static_cast<std::uint32_t>(state.shots_played),
                              .conceded = conceded});

@@ -73,13 +73,13 @@ void Report::moved(const client::TableView& before, const protocol::server::Matc
 }
 
 void Report::over(const client::TableView& before, const protocol::server::MatchOver& over) {
-    const model::Seat loser = model::opponent_of(over.winner);
+    const model::Seat winner = over.winner.value_or(model::Seat::First);
     write(out_, json_,
           {{"event", "over"},
            {"text", client::narrate(before, over)},
-           {"winner", client::short_name(before, over.winner)},
-           {"winner_racks", over.racks_won[over.winner]},
-           {"loser_racks", over.racks_won[loser]},
+           {"winner", over.winner ? client::short_name(before, winner) : ""},
+           {"winner_racks", over.racks_won[winner]},
+           {"loser_racks", over.racks_won[model::opponent_of(winner)]},
            {"shots", over.shots},
            {"conceded", over.conceded}});
 }

@@ -125,9 +125,10 @@ void HeadlessPlayer::tell_missed(const server::TableSnapshot& snapshot) {
         return;
     }
     if (snapshot.rolling) tell_shot(before, *snapshot.rolling);
-    if (!was_playing_ || before.over || !snapshot.match || !snapshot.match->winner) return;
+    const bool is_over = snapshot.match && snapshot.match->stage == match::Stage::Over;
+    if (!was_playing_ || before.over || !is_over) return;
     tell_over(before, {.sequence = snapshot.sequence,
-                       .winner = *snapshot.match->winner,
+                       .winner = snapshot.match->winner,
                        .racks_won = snapshot.match->racks_won,
                        .shots = static_cast<std::uint32_t>(snapshot.match->shots_played)});
 }

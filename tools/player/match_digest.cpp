@@ -32,7 +32,7 @@ bool MatchDigest::add(const protocol::server::ShotPlayed& shot) {
 
 void MatchDigest::add(const protocol::server::MatchOver& over) {
     missed_ += std::max(static_cast<int>(over.shots) - shots_ - missed_, 0);
-    hasher_.add(static_cast<std::uint64_t>(over.winner));
+    hasher_.add(over.winner ? static_cast<std::uint64_t>(*over.winner) : model::kSeats.size());
     hasher_.add(std::uint64_t{over.shots});
 }
 

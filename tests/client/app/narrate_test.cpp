@@ -194,6 +194,50 @@ TEST(Narrate, AClockThatRanOut) {
               "rack 1, after shot 4: Ada#12ab ran out of time; Grace to play with ball in hand");
 }
 
+/// What the first seat does in turn 7, which leaves the match so.
+std::string moved_to(const match::MatchState& after) {
+    const server::MatchMoved moved = told::moved(2, Seat::First, after);
+    return tell(table_before(rules::Phase::Open), moved);
+}
+
+TEST(Narrate, WhatStandsBetweenTwoTurns) {
+    match::MatchState offers = told::match_at(7, Seat::First, 6);
+    offers.offer = {match::OfferKind::Draw, Seat::First};
+    EXPECT_EQ(moved_to(offers), "Ada#12ab offers a draw; Ada to play");
+    offers.offer->kind = match::OfferKind::Stalemate;
+    EXPECT_EQ(moved_to(offers), "Ada#12ab offers to play the rack again; Ada to play");
+    match::MatchState claims = told::match_at(7, Seat::First, 6);
+    claims.claim.emplace();
+    EXPECT_EQ(moved_to(claims), "Ada#12ab claims a stalemate; Ada to play");
+    match::MatchState extended = told::match_at(7, Seat::First, 6);
+    extended.extended_in[Seat::First] = extended.turn;
+    EXPECT_EQ(moved_to(extended), "Ada#12ab takes an extension; Ada to play");
+}
+
+TEST(Narrate, AnAnswerToAnOffer) {
+    TableView before = table_before(rules::Phase::Open);
+    before.match->offer = {match::OfferKind::Stalemate, Seat::Second};
+    server::MatchMoved moved = told::moved(2, Seat::First, told::match_at(7, Seat::First, 6));
+    EXPECT_EQ(tell(before, moved), "Ada#12ab declines; Ada to play");
+    moved.after.turn = {8};
+    moved.after.rack.phase = rules::Phase::Break;
+    EXPECT_EQ(tell(before, moved), "Ada#12ab agrees to play the rack again; Ada to break");
+    moved.after.stage = match::Stage::Over;
+    EXPECT_EQ(tell(before, moved), "Ada#12ab agrees to the draw");
+    moved.after.winner = Seat::Second;
+    EXPECT_EQ(tell(before, moved), "Ada#12ab concedes");
+}
+
+TEST(Narrate, AMatchThatNobodyHasWon) {
+    server::MatchOver over = told::over(3, Seat::Second);
+    over.winner.reset();
+    over.racks_won = {{2, 1}};
+    TableView before = table_before(rules::Phase::Groups);
+    EXPECT_EQ(narrate(before, over), "the match is drawn 2-1");
+    before.row.settings.game = rules::Game::Practice;
+    EXPECT_EQ(narrate(before, over), "practice is over");
+}
+
 TEST(Narrate, TheEndOfAMatch) {
     server::MatchOver over = told::over(3, Seat::Second);
     over.racks_won[Seat::Second] = 3;

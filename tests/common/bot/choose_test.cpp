@@ -195,6 +195,18 @@ TEST(BotMatch, IsPlayedToItsEndWithLegalCommandsOnly) {
     }
 }
 
+TEST(BotMatch, IsPlayedToItsEndAtEveryGame) {
+    for (const rules::Game game : {rules::Game::NineBall, rules::Game::TenBall,
+                                   rules::Game::StraightPool, rules::Game::Practice}) {
+        match::Settings settings = match::race_to(1);
+        settings.game = game;
+        settings.options.target_points = 20;
+        const MatchState over = played_out(settings, 4);
+        EXPECT_EQ(over.stage, match::Stage::Over);
+        EXPECT_EQ(over.winner.has_value(), game != rules::Game::Practice);
+    }
+}
+
 TEST(BotMatch, GoesOverSeveralRacksUntilOneSeatHasWonTheRace) {
     const MatchState over = played_out(match::race_to(3), 11);
     ASSERT_TRUE(over.winner.has_value());

@@ -110,7 +110,8 @@ Vec2 position() {
 }
 
 match::Settings settings() {
-    return {.options = {.call = coin(),
+    return {.game = up_to(rules::Game::Practice),
+            .options = {.call = coin(),
                         .nine_on_foot_spot = coin(),
                         .ten_wins_any_time = coin(),
                         .target_points = within(1, rules::kMaxTargetPoints + 1)},
@@ -378,7 +379,7 @@ void draw(server::MatchMoved& moved) {
              maybe(verdict), state(), turn()};
 }
 void draw(server::MatchOver& over) {
-    over = {any64(), seat(), counts(), any32(), coin()};
+    over = {any64(), maybe(seat), counts(), any32(), coin()};
 }
 void draw(server::ChatSaid& said) {
     said = {*any_text(kMaxShownNameLength), *any_text(kMaxChatLength)};

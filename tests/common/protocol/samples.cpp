@@ -274,6 +274,7 @@ std::vector<Sample<ServerMessage>> server_samples() {
         {"match moved by the clock",
          server::MatchMoved{84, Seat::First, {}, {}, choosing(), server::Turn{}}},
         {"match over", server::MatchOver{85, Seat::Second, {{4, 5}}, 120, true}},
+        {"match drawn", server::MatchOver{87, {}, {{4, 5}}, 121, false}},
         {"chat said", server::ChatSaid{"Ada#3f21", "good shot 🎱"}},
         {"notice", server::Notice{server::NoticeCode::ReplacedByNewConnection, "from elsewhere"}},
         {"pong", server::Pong{-1, 2}},

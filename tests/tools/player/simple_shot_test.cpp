@@ -4,6 +4,7 @@
 #include "common/match/match.h"
 
 #include <gtest/gtest.h>
+#include <utility>
 
 namespace billiards::tools {
 namespace {
@@ -22,6 +23,25 @@ TEST(SimpleShot, IsLegalThroughoutMatches) {
         shots += state.shots_played;
     }
     EXPECT_GT(shots, 500);
+}
+
+TEST(SimpleShot, EndsAMatchOfEveryGame) {
+    for (const rules::Game game :
+         {rules::Game::EightBall, rules::Game::NineBall, rules::Game::TenBall,
+          rules::Game::StraightPool, rules::Game::Practice}) {
+        match::Settings settings;
+        settings.game = game;
+        settings.race_to = 1;
+        settings.options.target_points = 10;
+        base::Random random(1);
+        match::MatchState state = match::start(settings, 1).value();
+        while (state.stage != match::Stage::Over) {
+            ASSERT_LT(state.shots_played, 3000) << "game " << static_cast<int>(game);
+            auto step = match::apply(state, state.to_act, simple_shot(state, random));
+            ASSERT_TRUE(step) << step.error().detail;
+            state = std::move(step).value().next;
+        }
+    }
 }
 
 TEST(SimpleShot, FollowsFromStateAndSeed) {
