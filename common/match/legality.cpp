@@ -4,7 +4,7 @@
 #include "common/match/clock.h"
 #include "common/match/placement.h"
 #include "common/model/table_spec.h"
-#include "common/physics/simulate.h"
+#include "common/physics/validate.h"
 #include "common/rules/ruleset.h"
 
 #include <algorithm>
@@ -32,14 +32,15 @@ std::string describe(const model::Call& call) {
 std::string explain(const std::string& field, const model::Shot& shot) {
     if (field == "power") return fmt::format("power must be in (0, 1], was {:g}", shot.power);
     if (field == "angle_rad") {
-        return fmt::format("angle_rad must be within 1000 rad, was {:g}", shot.angle_rad);
+        return fmt::format("angle_rad must be within {:g} rad, was {:g}", physics::kMostAngle_rad,
+                           shot.angle_rad);
     }
     if (field == "elevation_rad") {
         return fmt::format("elevation_rad must be in [0, pi/2), was {:g}", shot.elevation_rad);
     }
     if (field.starts_with("tip")) {
-        return fmt::format("tip offset must be within 0.5 of the centre, was ({:g}, {:g})",
-                           shot.tip_left, shot.tip_up);
+        return fmt::format("tip offset must be within {:g} of the centre, was ({:g}, {:g})",
+                           physics::kMostOffset, shot.tip_left, shot.tip_up);
     }
     return field;
 }

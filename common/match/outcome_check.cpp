@@ -2,12 +2,16 @@
 #include "common/match/outcome_check.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace billiards::match {
 
 namespace {
 
 using Checked = Result<base::Done>;
+
+/// At straight pool: what the third foul in a row costs; fifteen balls make one less.
+constexpr int kMostPointsOfAShot = 16;
 
 Checked does_not_fit(const char* what) {
     return Refusal{RefusalCode::BadOutcome, what};
@@ -66,9 +70,22 @@ Checked check_rerack(const MatchState& state, const rules::Verdict& verdict,
     return fits ? Checked(base::Done{}) : does_not_fit("fourteen are racked, but not one is left");
 }
 
+/// A score cannot run away, whatever a journal says.
+Checked check_scores(const MatchState& state, const rules::Verdict& verdict) {
+    for (const model::Seat seat : model::kSeats) {
+        const int change = verdict.score_change[seat];
+        const bool counts = state.settings.game == rules::Game::StraightPool;
+        if (std::abs(change) > (counts ? kMostPointsOfAShot : 0)) {
+            return does_not_fit("more points than a shot can make");
+        }
+    }
+    return base::Done{};
+}
+
 Checked check_ruling(const MatchState& state, const rules::Verdict& verdict,
                      const model::Layout& layout) {
     if (Checked checked = check_verdict(verdict, layout); !checked) return checked;
+    if (Checked checked = check_scores(state, verdict); !checked) return checked;
     return check_rerack(state, verdict, layout);
 }
 

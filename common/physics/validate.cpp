@@ -149,8 +149,6 @@ double largest_radius_m(std::span<const BallStart> balls) {
 }
 
 Result<Done> validate(const model::Shot& shot) {
-    constexpr double kMostAngle_rad = 1000.0;  // Beyond it the sine's error grows.
-    constexpr double kMostOffset = 0.5;        // Further out the tip slips off.
     if (auto fault = fault_of("", {{"angle_rad", shot.angle_rad, -kMostAngle_rad, kMostAngle_rad},
                                    {"power", shot.power, 0.0, 1.0},
                                    {"tip_left", shot.tip_left, -kMostOffset, kMostOffset},

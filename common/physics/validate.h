@@ -19,6 +19,8 @@ inline constexpr double kMostSpeed_mps = 100.0;
 inline constexpr double kMostSpin_radps = 10'000.0;
 /// Of cushions, of jaws and of pockets, each; the named tables have 18, 12 and 6.
 inline constexpr std::size_t kMostParts = 64;
+inline constexpr double kMostAngle_rad = 1000.0;  ///< Beyond it the sine's error grows.
+inline constexpr double kMostOffset = 0.5;        ///< Further from the centre the tip slips off.
 inline constexpr double kLeastRadius_m = 0.001;
 inline constexpr double kMostRadius_m = 1.0;
 inline constexpr double kLeastMass_kg = 0.001;

@@ -215,7 +215,11 @@ TEST(Refold, RefusesAnOutcomeThatDoesNotBelongToTheShot) {
     rules::Verdict split = offers(other(match), {Choice::Accept});
     split.next_player = match.to_act;
 
+    rules::Verdict scores = pass;
+    scores.score_change[match.to_act] = 1;
+
     const OutcomeCase cases[] = {
+        {"points at eight-ball", match.layout, scores, "more points than a shot can make"},
         {"no verdict", match.layout, std::nullopt, "there is no verdict"},
         {"no layout", std::nullopt, pass, "there is no final layout"},
         {"a ball short", fewer, pass, "the layout has other balls"},
