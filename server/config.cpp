@@ -21,6 +21,9 @@ struct Flags {
     std::string http;
     bool plain = false;
     std::string log_format = "text";
+    bool is_export = false;
+    std::optional<std::uint64_t> match;
+    std::string out;
 };
 
 /// Without a description, which would be printed beside the type's name.
@@ -50,6 +53,18 @@ void describe(CLI::App& app, Flags& flags) {
     app.add_option("--log-format", flags.log_format, "One line an event [text]")
         ->check(one_of({"text", "json"}))
         ->type_name("text|json");
+}
+
+void describe_export(CLI::App& app, Flags& flags) {
+    CLI::App* exporting = app.add_subcommand(
+        "export", "List the matches that have ended, or write one as a .billiards file");
+    exporting->add_option("--data", flags.data, "The server's folder, as above")
+        ->type_name("FOLDER");
+    exporting->add_option("--match", flags.match, "Which one; without it, they are listed")
+        ->type_name("ID");
+    exporting->add_option("--out", flags.out, "The file to write [match-ID.billiards]")
+        ->type_name("FILE");
+    exporting->callback([&flags] { flags.is_export = true; });
 }
 
 Farewell wrong(const std::string& text) {
@@ -99,6 +114,10 @@ base::Result<CommandLine, Farewell> configuration_of(const Flags& flags,
         !flags.data ? default_data_folder(environment) : std::filesystem::path(*flags.data);
     if (!data) return wrong("--data: neither it nor XDG_DATA_HOME nor HOME names a folder");
     command_line.server.data = *data;
+    if (flags.is_export) {
+        const auto match = flags.match ? std::optional(MatchId{*flags.match}) : std::nullopt;
+        command_line.to_export = {.data = *data, .match = match, .file = flags.out};
+    }
     return command_line;
 }
 
@@ -110,6 +129,7 @@ base::Result<CommandLine, Farewell> parse_command_line(int argc, const char* con
                  "billiards-server");
     Flags flags;
     describe(app, flags);
+    describe_export(app, flags);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) {  // --help or --version

@@ -1,5 +1,5 @@
-// Takes the command line; gives a server that runs until it is asked to stop. Exits with 0, or
-// with 1 and one line that says why it could not start.
+// Takes the command line; gives a server that runs until it is asked to stop, or a match that one
+// has kept. Exits with 0, or with 1 and one line that says why it could not.
 #include "server/config.h"
 #include "server/server.h"
 
@@ -71,6 +71,9 @@ int main(int argc, char** argv) {
         const Farewell& farewell = command_line.error();
         (farewell.exit_code == 0 ? std::cout : std::cerr) << farewell.text;
         return farewell.exit_code;
+    }
+    if (command_line->to_export) {
+        return export_match(*command_line->to_export, std::cout, std::cerr);
     }
     return run(*command_line, *make_logger(command_line->log_format));
 }

@@ -5,6 +5,10 @@
 
 namespace billiards::server {
 
+inline std::filesystem::path database_file_in(const std::filesystem::path& data_folder) {
+    return data_folder / "billiards.db";
+}
+
 /// Held for as long as the server writes into the folder, so that two servers never share one.
 class DataFolder {
   public:
@@ -16,7 +20,7 @@ class DataFolder {
     DataFolder& operator=(const DataFolder&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
-    std::filesystem::path database_file() const { return path_ / "billiards.db"; }
+    std::filesystem::path database_file() const { return database_file_in(path_); }
 
   private:
     std::filesystem::path path_;

@@ -47,7 +47,15 @@ struct StoredMatch {
     std::string table_name;
     model::PerSeat<PlayerId> players;
     protocol::Bytes settings;  ///< protocol::encode_settings
+    std::string engine;        ///< replay::kEngineVersion when it began.
     friend bool operator==(const StoredMatch&, const StoredMatch&) = default;
+};
+
+/// A match that is over, or that was closed because nobody came back to it.
+struct EndedMatch {
+    StoredMatch match;
+    std::int64_t started_s = 0;  ///< Since 1970-01-01 UTC, by the database's clock; 0: unknown.
+    friend bool operator==(const EndedMatch&, const EndedMatch&) = default;
 };
 
 struct StoredEntry {
@@ -100,6 +108,8 @@ class MatchStore {
     virtual StoreResult<std::vector<StoredPlayer>> players() = 0;
     /// Matches without a FinishMatch, in ascending MatchId.
     virtual StoreResult<std::vector<StoredMatch>> live_matches() = 0;
+    /// Those with one, likewise.
+    virtual StoreResult<std::vector<EndedMatch>> ended_matches() = 0;
     /// A match's entries in ascending sequence.
     virtual StoreResult<std::vector<StoredEntry>> journal(MatchId match) = 0;
     /// The highest ids ever given; 0 where there were none.

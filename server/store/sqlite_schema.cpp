@@ -39,26 +39,48 @@ CREATE TABLE entries (
     PRIMARY KEY (match_id, seq)
 ) STRICT;
 )sql",
+    R"sql(
+ALTER TABLE matches ADD COLUMN engine TEXT NOT NULL DEFAULT 'unknown';
+ALTER TABLE matches ADD COLUMN started_s INTEGER NOT NULL DEFAULT 0;
+)sql",
 };
+
+constexpr int kKnownVersion = static_cast<int>(kMigrations.size());
+
+int version_of(SQLite::Database& database) {
+    return database.execAndGet("PRAGMA user_version").getInt();
+}
+
+StoreError newer(const std::filesystem::path& file, int found) {
+    return {StoreErrorCode::Newer,
+            fmt::format("{} was written by a newer version of this program: its tables are "
+                        "version {}, this program knows up to {}",
+                        file.string(), found, kKnownVersion)};
+}
 
 }  // namespace
 
 StoreResult<base::Done> migrate(SQLite::Database& database, const std::filesystem::path& file) {
-    const int found = database.execAndGet("PRAGMA user_version").getInt();
-    const int known = static_cast<int>(kMigrations.size());
-    if (found > known) {
-        return StoreError{StoreErrorCode::Newer,
-                          fmt::format("{} was written by a newer version of this program: its "
-                                      "tables are version {}, this program knows up to {}",
-                                      file.string(), found, known)};
-    }
-    for (int version = found; version < known; ++version) {
+    const int found = version_of(database);
+    if (found > kKnownVersion) return newer(file, found);
+    for (int version = found; version < kKnownVersion; ++version) {
         SQLite::Transaction transaction(database, SQLite::TransactionBehavior::EXCLUSIVE);
         database.exec(kMigrations.at(static_cast<std::size_t>(version)));
         database.exec(fmt::format("PRAGMA user_version = {}", version + 1));
         transaction.commit();
     }
     return base::Done{};
+}
+
+StoreResult<base::Done> check_version(SQLite::Database& database,
+                                      const std::filesystem::path& file) {
+    const int found = version_of(database);
+    if (found > kKnownVersion) return newer(file, found);
+    if (found == kKnownVersion) return base::Done{};
+    return StoreError{StoreErrorCode::CannotOpen,
+                      fmt::format("{} was written by an older version of this program: start the "
+                                  "server on it once",
+                                  file.string())};
 }
 
 }  // namespace billiards::server

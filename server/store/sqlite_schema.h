@@ -12,4 +12,8 @@ namespace billiards::server {
 /// version is left as it is, and refused. Throws SQLite::Exception.
 StoreResult<base::Done> migrate(SQLite::Database& database, const std::filesystem::path& file);
 
+/// Refuses a file that lacks a migration, and one from a newer version. Throws likewise.
+StoreResult<base::Done> check_version(SQLite::Database& database,
+                                      const std::filesystem::path& file);
+
 }  // namespace billiards::server

@@ -75,6 +75,22 @@ protocol::Bytes read_bytes(const SQLite::Column& column) {
     return {data, data + column.getBytes()};
 }
 
+/// The columns of read_match.
+constexpr const char* kMatch =
+    "id, table_id, table_name, first_player, second_player, settings, engine";
+
+StoredMatch read_match(SQLite::Statement& row) {
+    StoredMatch match;
+    match.match.value = read_number(row.getColumn(0));
+    match.table.value = static_cast<std::uint32_t>(row.getColumn(1).getInt64());
+    match.table_name = row.getColumn(2).getString();
+    match.players[model::Seat::First].value = read_number(row.getColumn(3));
+    match.players[model::Seat::Second].value = read_number(row.getColumn(4));
+    match.settings = read_bytes(row.getColumn(5));
+    match.engine = row.getColumn(6).getString();
+    return match;
+}
+
 /// Of a row (sequence, command, verdict, final layout, record).
 base::Result<StoredEntry, protocol::DecodeError> read_entry(SQLite::Statement& row) {
     const auto read_packed = [&](int index) {
@@ -123,6 +139,7 @@ class SqliteStore final : public MatchStore {
     StoreResult<base::Done> commit(std::span<const Write> writes) override;
     StoreResult<std::vector<StoredPlayer>> players() override;
     StoreResult<std::vector<StoredMatch>> live_matches() override;
+    StoreResult<std::vector<EndedMatch>> ended_matches() override;
     StoreResult<std::vector<StoredEntry>> journal(MatchId match) override;
     StoreResult<HighestIds> highest_ids() override;
 
@@ -141,10 +158,12 @@ class SqliteStore final : public MatchStore {
         "previous_token_hash = excluded.previous_token_hash"};
     SQLite::Statement save_match_{
         database_,
-        "INSERT INTO matches (id, table_id, table_name, first_player, second_player, settings) "
-        "VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT (id) DO UPDATE SET table_id = excluded.table_id, "
+        "INSERT INTO matches (id, table_id, table_name, first_player, second_player, settings, "
+        "engine, started_s) VALUES (?, ?, ?, ?, ?, ?, ?, unixepoch()) ON CONFLICT (id) DO UPDATE "
+        "SET table_id = excluded.table_id, "
         "table_name = excluded.table_name, first_player = excluded.first_player, "
-        "second_player = excluded.second_player, settings = excluded.settings"};
+        "second_player = excluded.second_player, settings = excluded.settings, "
+        "engine = excluded.engine"};
     SQLite::Statement append_entry_{
         database_,
         "INSERT INTO entries (match_id, seq, command, verdict, final_layout, record) "
@@ -173,6 +192,7 @@ void SqliteStore::on(const SaveMatch& write) {
     use->bind(4, stored(write.match.players[model::Seat::First].value));
     use->bind(5, stored(write.match.players[model::Seat::Second].value));
     bind_bytes(*use, 6, write.match.settings);
+    use->bindNoCopy(7, write.match.engine);
     use->exec();
 }
 
@@ -232,18 +252,21 @@ StoreResult<std::vector<StoredPlayer>> SqliteStore::players() {
 StoreResult<std::vector<StoredMatch>> SqliteStore::live_matches() {
     return guarded(file_, [&]() -> StoreResult<std::vector<StoredMatch>> {
         std::vector<StoredMatch> matches;
-        SQLite::Statement rows(database_,
-                               "SELECT id, table_id, table_name, first_player, second_player, "
-                               "settings FROM matches WHERE ended = 0 ORDER BY id");
+        SQLite::Statement rows(
+            database_, fmt::format("SELECT {} FROM matches WHERE ended = 0 ORDER BY id", kMatch));
+        while (rows.executeStep()) matches.push_back(read_match(rows));
+        return matches;
+    });
+}
+
+StoreResult<std::vector<EndedMatch>> SqliteStore::ended_matches() {
+    return guarded(file_, [&]() -> StoreResult<std::vector<EndedMatch>> {
+        std::vector<EndedMatch> matches;
+        SQLite::Statement rows(
+            database_,
+            fmt::format("SELECT {}, started_s FROM matches WHERE ended = 1 ORDER BY id", kMatch));
         while (rows.executeStep()) {
-            StoredMatch match;
-            match.match.value = read_number(rows.getColumn(0));
-            match.table.value = static_cast<std::uint32_t>(rows.getColumn(1).getInt64());
-            match.table_name = rows.getColumn(2).getString();
-            match.players[model::Seat::First].value = read_number(rows.getColumn(3));
-            match.players[model::Seat::Second].value = read_number(rows.getColumn(4));
-            match.settings = read_bytes(rows.getColumn(5));
-            matches.push_back(std::move(match));
+            matches.push_back({read_match(rows), rows.getColumn("started_s").getInt64()});
         }
         return matches;
     });
@@ -309,6 +332,16 @@ StoreResult<std::unique_ptr<MatchStore>> open_sqlite_store(const std::filesystem
         if (!migrated) return std::move(migrated).error();
         auto set = set_up(database, file);
         if (!set) return std::move(set).error();
+        return Opened(std::make_unique<SqliteStore>(std::move(database), file));
+    });
+}
+
+StoreResult<std::unique_ptr<MatchStore>> open_sqlite_reader(const std::filesystem::path& file) {
+    using Opened = StoreResult<std::unique_ptr<MatchStore>>;
+    return guarded(file, [&]() -> Opened {
+        SQLite::Database database(file.string(), SQLite::OPEN_READONLY, kBusyTimeout_ms);
+        auto checked = check_version(database, file);
+        if (!checked) return std::move(checked).error();
         return Opened(std::make_unique<SqliteStore>(std::move(database), file));
     });
 }

@@ -13,4 +13,8 @@ namespace billiards::server {
 /// process and a lost power supply: write-ahead log, one flush to the disk a commit.
 StoreResult<std::unique_ptr<MatchStore>> open_sqlite_store(const std::filesystem::path& file);
 
+/// For looking into the file, also beside a server that is writing it: nothing is changed, and
+/// commit() fails.
+StoreResult<std::unique_ptr<MatchStore>> open_sqlite_reader(const std::filesystem::path& file);
+
 }  // namespace billiards::server

@@ -2,6 +2,7 @@
 // led to.
 #include "common/base/check.h"
 #include "common/match/clock.h"
+#include "common/replay/engine_version.h"
 #include "server/table/table.h"
 
 #include <array>
@@ -137,7 +138,8 @@ void Table::start_match(base::Instant now) {
                        .table = id_,
                        .table_name = name_,
                        .players = {},
-                       .settings = protocol::encode_settings(settings_, seed)};
+                       .settings = protocol::encode_settings(settings_, seed),
+                       .engine = std::string(replay::kEngineVersion)};
     for (const Seat seat : kSeats) stored.players[seat] = seating_[seat]->player;
     submit(now, Start{.match = {.id = id, .state = std::move(state).value()}},
            {SaveMatch{std::move(stored)}});

@@ -45,6 +45,20 @@ TEST(Config, TakesEveryFlag) {
     EXPECT_EQ(parsed->log_format, LogFormat::Json);
 }
 
+TEST(Config, ExportsWhereThatIsAsked) {
+    EXPECT_FALSE(parse({})->to_export);
+    const auto listed = parse({"export"});
+    ASSERT_TRUE(listed.ok() && listed->to_export);
+    EXPECT_EQ(listed->to_export->data, "/home/ada/.local/share/gl-billiards");
+    EXPECT_FALSE(listed->to_export->match);
+    const auto one = parse({"export", "--data", "d", "--match", "12", "--out", "m.billiards"});
+    ASSERT_TRUE(one.ok() && one->to_export);
+    EXPECT_EQ(one->to_export->data, "d");
+    EXPECT_EQ(one->to_export->match, MatchId{12});
+    EXPECT_EQ(one->to_export->file, "m.billiards");
+    EXPECT_FALSE(parse({"export", "--match", "first"}).ok());
+}
+
 TEST(Config, KeepsDataWhereTheSystemKeepsIt) {
     EXPECT_EQ(parse({}, {{"HOME", "/home/ada"}})->server.data,
               "/home/ada/.local/share/gl-billiards");

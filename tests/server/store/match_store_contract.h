@@ -32,7 +32,8 @@ inline StoredMatch some_match(std::uint64_t id, std::uint32_t table = 1) {
             .table = {table},
             .table_name = "Friday",
             .players = {{{{1}, {2}}}},
-            .settings = bytes_of(std::string_view("race\0to 5", 9))};
+            .settings = bytes_of(std::string_view("race\0to 5", 9)),
+            .engine = "1"};
 }
 
 inline StoredEntry some_entry(std::uint64_t sequence, std::string_view record = "record") {
@@ -61,6 +62,7 @@ TYPED_TEST_SUITE_P(MatchStoreContract);
 TYPED_TEST_P(MatchStoreContract, IsEmptyAtFirst) {
     EXPECT_TRUE(this->store->players().value().empty());
     EXPECT_TRUE(this->store->live_matches().value().empty());
+    EXPECT_TRUE(this->store->ended_matches().value().empty());
     EXPECT_TRUE(this->store->journal({1}).value().empty());
     const auto highest = this->store->highest_ids().value();
     EXPECT_EQ(highest.player, 0U);
@@ -116,6 +118,19 @@ TYPED_TEST_P(MatchStoreContract, LeavesFinishedMatchesOutOfTheLiveOnesButKeepsTh
     this->reopen();
     EXPECT_EQ(this->store->live_matches().value(), std::vector{some_match(2)});
     EXPECT_EQ(this->store->journal({1}).value().size(), 1U);
+}
+
+TYPED_TEST_P(MatchStoreContract, GivesEndedMatchesWithTheTimeOfTheirFirstSaving) {
+    this->commit({SaveMatch{some_match(3)}, SaveMatch{some_match(1)}, SaveMatch{some_match(2)},
+                  FinishMatch{{3}}, FinishMatch{{1}}});
+    const auto ended = this->store->ended_matches().value();
+    ASSERT_EQ(ended.size(), 2U);
+    EXPECT_EQ(ended[0].match, some_match(1));
+    EXPECT_EQ(ended[1].match, some_match(3));
+    constexpr std::int64_t kYear2026_s = 1'767'225'600;
+    EXPECT_GT(ended[0].started_s, kYear2026_s);
+    this->commit({SaveMatch{some_match(1)}});
+    EXPECT_EQ(this->store->ended_matches().value(), ended);
 }
 
 TYPED_TEST_P(MatchStoreContract, GivesBackEveryColumnOfAJournalInAscendingSequence) {
@@ -191,6 +206,7 @@ REGISTER_TYPED_TEST_SUITE_P(
     MatchStoreContract, IsEmptyAtFirst, KeepsPlayersOverAReopening, ReplacesAPlayersNameAndHash,
     KeepsAndForgetsThePreviousHash, KeepsLiveMatchesInAscendingOrderOverAReopening,
     ReplacesAMatchThatIsSavedAgain, LeavesFinishedMatchesOutOfTheLiveOnesButKeepsTheirJournal,
+    GivesEndedMatchesWithTheTimeOfTheirFirstSaving,
     GivesBackEveryColumnOfAJournalInAscendingSequence, KeepsAMegabyteOfRecord,
     KeepsNothingOfACommitThatFails, GoesOnAfterACommitThatFailed, RefusesAnEntryOfAnUnknownMatch,
     FinishingAnUnknownMatchChangesNothing, RemembersTheHighestIdentitiesEvenOfFinishedMatches,

@@ -54,6 +54,24 @@ TEST(SqliteStore, RefusesAFileOfANewerVersionAndLeavesItAsItWas) {
     EXPECT_FALSE(untouched.tableExists("players"));
 }
 
+TEST(SqliteStore, BringsAnOlderFileUpToDateForTheServerAlone) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "test.db";
+    ASSERT_TRUE(open_sqlite_store(file).ok());
+    SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
+        .exec(
+            "ALTER TABLE matches DROP COLUMN engine; ALTER TABLE matches DROP COLUMN started_s;"
+            "INSERT INTO matches VALUES (1, 1, 'Friday', 1, 2, x'', 1); PRAGMA user_version = 1");
+    const auto reader = open_sqlite_reader(file);
+    ASSERT_FALSE(reader.ok());
+    EXPECT_THAT(reader.error().detail, testing::HasSubstr("older version"));
+    const auto ended = open_or_throw(file)->ended_matches().value();
+    ASSERT_EQ(ended.size(), 1U);
+    EXPECT_EQ(ended[0].match.engine, "unknown");
+    EXPECT_EQ(ended[0].started_s, 0);
+    EXPECT_TRUE(open_sqlite_reader(file).ok());
+}
+
 TEST(SqliteStore, RefusesAFileThatIsNoDatabase) {
     const TemporaryFolder folder;
     const auto file = folder.path() / "test.db";

@@ -51,6 +51,7 @@ class SlowStore final : public MatchStore {
     }
     StoreResult<std::vector<StoredPlayer>> players() override { return no_rows(); }
     StoreResult<std::vector<StoredMatch>> live_matches() override { return no_rows(); }
+    StoreResult<std::vector<EndedMatch>> ended_matches() override { return no_rows(); }
     StoreResult<std::vector<StoredEntry>> journal(MatchId) override { return no_rows(); }
     StoreResult<HighestIds> highest_ids() override { return no_rows(); }
 
