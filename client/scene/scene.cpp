@@ -17,7 +17,7 @@ namespace {
 constexpr float kCloth = 0.0F;
 constexpr float kFloorboards = 0.08F;
 constexpr float kPolishedWood = 0.35F;
-constexpr float kLeatherAndPearl = 0.15F;
+constexpr float kLeatherAndPearl = 0.06F;
 constexpr float kBall = 1.0F;
 
 /// The cue's half thickness where it passes over a rail, and the wood above the nose.

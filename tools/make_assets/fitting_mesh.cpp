@@ -43,12 +43,20 @@ Point rim_point(const PocketPlan& pocket, double angle, double outside_m, double
     return {Vec3(place, height_m), texture_place(fitting)};
 }
 
+/// How much of the roll's width the wood has room for: the side pockets lie close to the edge.
+double rim_share(const PocketPlan& pocket) {
+    const double inside = kRim.front().outside_m;
+    const double room = pocket.wood_m - kRounding_m - inside;
+    return std::min(1.0, room / (kRim.back().outside_m - inside));
+}
+
 /// The roll of leather on the wood: it flattens out towards the rubber.
 void add_rim(Mesh& mesh, const PocketPlan& pocket, double top_m) {
     const std::vector<double>& arc = pocket.wood_arc_rad;
+    const double share = rim_share(pocket);
     const auto swell = [&](std::size_t i) {
         const double end = static_cast<double>(std::min(i, arc.size() - 1 - i));
-        return std::min(1.0, (end + 1.0) / 4.0);
+        return std::min(1.0, (end + 1.0) / 4.0) * (0.5 + 0.5 * share);
     };
     std::vector<Row> rows;
     // From above, right is outside when the arc's angle grows upwards.
@@ -56,8 +64,9 @@ void add_rim(Mesh& mesh, const PocketPlan& pocket, double top_m) {
         Row row;
         for (const RimLine& line : kRim) {
             const double above = line.above_m > 0 ? line.above_m * swell(i) : line.above_m;
-            row.push_back(
-                rim_point(pocket, arc[i], line.outside_m, top_m + above, Fitting::Leather));
+            const double outside =
+                kRim.front().outside_m + share * (line.outside_m - kRim.front().outside_m);
+            row.push_back(rim_point(pocket, arc[i], outside, top_m + above, Fitting::Leather));
         }
         rows.push_back(std::move(row));
     }

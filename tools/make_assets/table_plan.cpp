@@ -5,6 +5,7 @@
 #include "common/base/elementary.h"
 #include "common/model/shot.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace billiards::make_assets {
@@ -143,6 +144,12 @@ std::vector<double> arc_through(double from, double middle, double to) {
     return angles;
 }
 
+/// From the hole to the outer edge, across the boards beside it.
+double wood_beside(const TableSpec& table, const model::PocketCircle& hole) {
+    const Vec2 left = table.half_outer_m - glm::abs(hole.center_m) - hole.radius_m;
+    return std::min(left.x, left.y);
+}
+
 PocketPlan pocket_of(const TableSpec& table, const std::vector<RailPlan>& rails, std::size_t i) {
     const model::PocketCircle& hole = table.pockets[i];
     const RailPlan& before = rails[(i + kRails - 1) % kRails];
@@ -155,7 +162,8 @@ PocketPlan pocket_of(const TableSpec& table, const std::vector<RailPlan>& rails,
     return {hole,
             arc_through(leaving(before, wood, 1), angle_of(outwards), leaving(after, wood, -1)),
             arc_through(leaving(after, hole.radius_m, -1), angle_of(-outwards),
-                        leaving(before, hole.radius_m, 1))};
+                        leaving(before, hole.radius_m, 1)),
+            wood_beside(table, hole)};
 }
 
 std::vector<Vec2> bed_of(const std::vector<PocketPlan>& pockets) {

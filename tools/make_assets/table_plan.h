@@ -30,6 +30,7 @@ struct PocketPlan {
     model::PocketCircle hole;
     std::vector<double> wood_arc_rad;   ///< Directions in which wood surrounds the hole.
     std::vector<double> cloth_arc_rad;  ///< Directions in which the bed does.
+    double wood_m = 0.0;  ///< From the hole to the boards' edge where that is nearest.
 };
 
 /// Rail i lies between the pockets i and i + 1 (mod 6).
@@ -44,6 +45,8 @@ struct TablePlan {
 
 /// How much wider than the hole the opening in the wood is: the liner's thickness.
 inline constexpr double kLiner_m = 0.004;
+/// Radius of the boards' upper edge.
+inline constexpr double kRounding_m = 0.005;
 
 /// Of one of the three named tables.
 TablePlan plan_of(const model::TableSpec& table);

@@ -17,7 +17,6 @@ using base::Vec3;
 using client::Mesh;
 
 constexpr Vec2 kTile_m{1.2, 0.4};
-constexpr double kRounding_m = 0.009;     ///< Of the boards' upper edge.
 constexpr double kBoardBelow_m = -0.062;  ///< Where the boards end.
 constexpr double kCabinetBelow_m = -0.30;
 constexpr int kRoundingSteps = 5;

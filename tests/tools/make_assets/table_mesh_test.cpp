@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vector_relational.hpp>
 #include <gtest/gtest.h>
 
 namespace billiards::make_assets {
@@ -134,6 +135,15 @@ TEST_P(DrawnTable, LeavesThePocketsOpenInTheWood) {
     for (const client::Vertex& vertex : named(meshes, "rails").vertices) {
         for (const model::PocketCircle& pocket : table().pockets) {
             EXPECT_GT(glm::distance(seen_from_above(vertex), pocket.center_m), pocket.radius_m);
+        }
+    }
+}
+
+TEST_P(DrawnTable, KeepsItsFittingsOnTheWood) {
+    for (const Mesh& mesh : fitting_meshes(table())) {
+        for (const client::Vertex& vertex : mesh.vertices) {
+            const Vec2 place = glm::abs(seen_from_above(vertex));
+            EXPECT_TRUE(glm::all(glm::lessThan(place, table().half_outer_m))) << mesh.name;
         }
     }
 }
