@@ -24,7 +24,7 @@ case "${1:-}" in
         ;;
 esac
 
-install_packages build
+install_packages build client
 configure_and_build release programs -DBILLIARDS_TESTS=OFF
 
 if [ "${1:-}" = --server ]; then

@@ -18,7 +18,7 @@ TEXT
 }
 
 preset=release
-packages=(build test)
+packages=(build client test)
 case "${1:-}" in
     -h | --help)
         usage

@@ -20,10 +20,13 @@ set(rooms
     "server/table: common server/table server/store/committer.h server/store/match_store.h server/session/limits.h server/session/rate_limit.h server/session/token.h"
     "client: common client"
     "client/app: common client/app"
+    "client/local: common client/local client/net/address.h server"
     "client/playback: common client/app client/playback"
     "client/net: common client/app client/net"
     "client/scene: common client/app client/playback client/scene"
     "client/input: common client/input"
+    "client/render: common client/render client/scene"
+    "client/ui: common client/app client/input client/local client/play client/playback client/scene client/ui"
     "client/play: common client/app client/input client/net client/playback client/play"
     "tools: common client server tools")
 
@@ -36,11 +39,11 @@ set(libraries
     "^utf8proc: common/protocol/text"
     "^zstd: common/protocol/packing"
     "^prometheus/: server/ops"
-    "^spdlog: server"
+    "^spdlog: server client/local"
     "^fmt: common/match common/protocol common/replay server client tools"
     "^nlohmann/: server/ops client tools"
-    "^CLI/: server/config tools"
-    "^(SDL|epoxy|imgui|backends/): client/render client/ui client/audio client/main"
+    "^CLI/: server/config client/main tools"
+    "^(SDL|epoxy|imgui|backends/): client/render client/ui client/audio client/main client/window_app"
     "^(thread|mutex|condition_variable): server/net server/store server/server server/main client/net tools")
 
 # Whoever else needs the time or a random number takes it as an argument.

@@ -40,6 +40,7 @@ void Game::disconnect() {
     turn_.reset();
     awaited_.reset();
     shoots_once_placed_ = false;
+    asked_to_start_ = false;
 }
 
 void Game::advance(base::Instant now) {
@@ -63,7 +64,9 @@ void Game::on(const Arrived& arrived) {
     const std::optional<TableView> before = state_.table;
     state_ = reduce(std::move(state_), arrived.message, arrived.at);
     const base::Duration offset = state_.clock_offset.value_or(base::Duration::zero());
+    if (std::holds_alternative<server::MatchStarted>(arrived.message)) asked_to_start_ = false;
     if (std::holds_alternative<server::TableSnapshot>(arrived.message)) {
+        asked_to_start_ = false;
         awaited_.reset();
         turn_.reset();
         presentation_.enter(*state_.table, offset);
@@ -124,6 +127,7 @@ void Game::open_table(const protocol::client::CreateTable& table) {
 }
 
 void Game::ready() {
+    asked_to_start_ = true;
     send(protocol::client::Ready{});
 }
 

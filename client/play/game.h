@@ -62,6 +62,8 @@ class Game {
     void join(protocol::TableId table, protocol::Role role);
     void open_table(const protocol::client::CreateTable& table);
     void ready();
+    /// Ready was said, and the match has not started yet.
+    bool has_asked_to_start() const { return asked_to_start_; }
     void leave_table();
 
     // At a table, while it is this screen's turn; otherwise they do nothing.
@@ -114,6 +116,7 @@ class Game {
     std::optional<model::TurnNumber> turn_;  ///< The one that `shot_` and `placing_` are for.
     std::optional<std::uint32_t> awaited_;   ///< The request that moves the match on.
     bool shoots_once_placed_ = false;
+    bool asked_to_start_ = false;
     std::optional<model::Shot> shown_aim_;
     base::Instant aim_sent_at_{};
     base::Instant now_{};

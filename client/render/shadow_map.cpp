@@ -1,0 +1,43 @@
+// Takes a size; gives a frame buffer without colour.
+#include "client/render/shadow_map.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace billiards::client {
+
+ShadowMap::ShadowMap(int pixels) : pixels_(pixels) {
+    glBindTexture(GL_TEXTURE_2D, depths_.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, pixels, pixels, 0, GL_DEPTH_COMPONENT,
+                 GL_FLOAT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depths_.name(), 0);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void ShadowMap::begin() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
+    glViewport(0, 0, pixels_, pixels_);
+    glClear(GL_DEPTH_BUFFER_BIT);
+}
+
+void ShadowMap::bind_texture(GLenum unit) const {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_2D, depths_.name());
+}
+
+glm::mat4 lamp_view_projection(const glm::vec3& lamp, float half_length_m) {
+    constexpr float kNear_m = 0.4F;
+    constexpr float kBelowBed_m = 0.4F;
+    const float half_angle = glm::atan((half_length_m + 0.25F) / lamp.z);
+    return glm::perspective(2 * half_angle, 1.0F, kNear_m, lamp.z + kBelowBed_m) *
+           glm::lookAt(lamp, glm::vec3(lamp.x, lamp.y, 0.0F), glm::vec3(0.0F, 1.0F, 0.0F));
+}
+
+}  // namespace billiards::client

@@ -1,0 +1,28 @@
+// Gives a square picture of the depths that the lamp sees.
+#pragma once
+
+#include "client/render/gl_objects.h"
+
+#include <glm/mat4x4.hpp>
+
+namespace billiards::client {
+
+class ShadowMap {
+  public:
+    explicit ShadowMap(int pixels);
+
+    /// Everything drawn from now on goes into the map, until another frame buffer is bound.
+    void begin() const;
+    /// For a shader's sampler2DShadow at this texture unit.
+    void bind_texture(GLenum unit) const;
+
+  private:
+    int pixels_;
+    GlTexture depths_ = make_texture();
+    GlFramebuffer frame_ = make_framebuffer();
+};
+
+/// What a lamp at `lamp` above the middle of the table sees of it.
+glm::mat4 lamp_view_projection(const glm::vec3& lamp, float half_length_m);
+
+}  // namespace billiards::client

@@ -1,0 +1,14 @@
+// Takes a .bmp file; gives it to OpenGL as a texture.
+#pragma once
+
+#include "client/render/gl_objects.h"
+
+#include <filesystem>
+
+namespace billiards::client {
+
+/// With mipmaps, repeating. Throws std::runtime_error with a sentence where the file cannot be
+/// read, or is not within bitmap_limits.h.
+GlTexture load_texture(const std::filesystem::path& bmp);
+
+}  // namespace billiards::client

@@ -1,0 +1,109 @@
+// Takes what is shown and set; gives JSON.
+#include "client/ui/report.h"
+
+#include "client/play/information.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+namespace billiards::client {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double degrees(double angle_rad) {
+    return angle_rad * 180.0 / std::numbers::pi;
+}
+
+Json call_of(const model::Call& call) {
+    if (const auto* called = std::get_if<model::CalledBall>(&call)) {
+        return {{"ball", called->ball.number}, {"pocket", called->pocket.number}};
+    }
+    if (std::holds_alternative<model::Safety>(call)) return "safety";
+    if (std::holds_alternative<model::PushOut>(call)) return "push-out";
+    return nullptr;
+}
+
+Json shot_of(const ShotControl& control) {
+    const model::Shot& shot = control.shot();
+    return {{"angle_deg", degrees(shot.angle_rad)}, {"power", shot.power},
+            {"tip", {shot.tip_left, shot.tip_up}},  {"elevation_deg", degrees(shot.elevation_rad)},
+            {"call", call_of(control.call())},      {"pulled", control.is_pulled()}};
+}
+
+Json camera_of(const Screen& screen) {
+    const Camera& camera = screen.camera;
+    const base::Vec3& target = camera.target_m();
+    return {{"azimuth_deg", degrees(camera.azimuth_rad())},
+            {"elevation_deg", degrees(camera.elevation_rad())},
+            {"distance_m", camera.distance_m()},
+            {"target_m", {target.x, target.y, target.z}},
+            {"follows", screen.follows_ball},
+            {"followed", screen.followed.number}};
+}
+
+Json balls_of(const model::Layout& layout) {
+    Json balls = Json::object();
+    for (const model::PlacedBall& placed : layout.balls) {
+        if (placed.place != model::Place::OnTable) continue;
+        balls[std::to_string(placed.ball.number)] = {placed.position_m.x, placed.position_m.y};
+    }
+    return balls;
+}
+
+Json match_of(const match::MatchState& match) {
+    return {{"turn", match.turn.value},
+            {"to_act", static_cast<int>(match.to_act)},
+            {"stage", static_cast<int>(match.stage)},
+            {"shots", match.shots_played},
+            {"racks", match.racks_won.values},
+            {"in_hand", match.rack.in_hand != rules::Zone::None},
+            {"balls", balls_of(match.layout)}};
+}
+
+Json table_of(const Screen& screen, const TableView& table) {
+    Json json{{"id", table.row.table.value},
+              {"seats", Json::array()},
+              {"rolling", screen.game.presentation().rolling() != nullptr},
+              {"match", nullptr},
+              {"last_hash", nullptr}};
+    for (const model::Seat seat : table.my_seats) json["seats"].push_back(static_cast<int>(seat));
+    if (table.match) json["match"] = match_of(*table.match);
+    if (table.last_shot) json["last_hash"] = fmt::format("{:016x}", table.last_shot->record.hash);
+    return json;
+}
+
+Json controls_of(const ControlMap& controls) {
+    Json json = Json::object();
+    for (const auto& [name, place] : controls.places()) {
+        json[name] = {place.left, place.top, place.width, place.height};
+    }
+    return json;
+}
+
+}  // namespace
+
+std::string report_of(const Screen& screen) {
+    const TableView* table = screen.game.presentation().table();
+    const auto cue_ball_m = screen.game.cue_ball_m();
+    const auto acting = screen.game.acting();
+    Json json{{"menu", screen.menu.is_open},
+              {"page", static_cast<int>(screen.menu.page)},
+              {"trouble", screen.menu.trouble},
+              {"connected", screen.game.is_connected()},
+              {"acting", acting ? Json(static_cast<int>(*acting)) : Json(nullptr)},
+              {"cue_ball", cue_ball_m ? Json{cue_ball_m->x, cue_ball_m->y} : Json(nullptr)},
+              {"placing", screen.game.placing().has_value()},
+              {"shot", shot_of(screen.game.shot())},
+              {"camera", camera_of(screen)},
+              {"folded", screen.is_panel_folded},
+              {"aim_line", screen.shows_aim_line},
+              {"information", information(screen.game)},
+              {"table", table != nullptr ? table_of(screen, *table) : Json(nullptr)},
+              {"controls", controls_of(screen.controls)}};
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace billiards::client

@@ -1,0 +1,186 @@
+// Takes SDL's events and the clock; draws one frame after another.
+#include "client/window_app.h"
+
+#include "client/net/clock.h"
+#include "client/render/picture.h"
+#include "client/scene/falling.h"
+#include "client/ui/hud.h"
+#include "client/ui/menu.h"
+#include "client/ui/panel.h"
+#include "client/ui/report.h"
+
+#include <backends/imgui_impl_opengl3.h>
+#include <backends/imgui_impl_sdl.h>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <stdexcept>
+
+namespace billiards::client {
+
+namespace {
+
+/// A frame is drawn on what ImGui measured in the one before.
+constexpr int kFramesUntilSettled = 4;
+/// How far the tip is from the ball at least, and how much of the pull is shown, so that the butt
+/// stays in the picture.
+constexpr double kRestingTip_m = 0.02;
+constexpr double kDrawnBack = 0.35;
+
+model::TableSize table_size(const Screen& screen) {
+    const TableView* table = screen.game.presentation().table();
+    return table != nullptr ? table->row.settings.table
+                            : static_cast<model::TableSize>(screen.menu.table_size);
+}
+
+}  // namespace
+
+WindowApp::Gui::Gui(const Window& window) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+    ImGui_ImplSDL2_InitForOpenGL(window.sdl(), window.context());
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+WindowApp::Gui::~Gui() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplSDL2_Shutdown();
+    ImGui::DestroyContext();
+}
+
+WindowApp::WindowApp(const WindowAppOptions& options)
+    : options_(options),
+      window_(options.window),
+      gui_(window_),
+      renderer_(options.assets),
+      screen_(options.seed, options.data) {
+    screen_.letters = set_look();
+    screen_.menu.name = options.name;
+    if (!options.report.empty()) {
+        report_.open(options.report);
+        if (!report_) {
+            throw std::runtime_error(
+                fmt::format("The report {} cannot be written.", options.report.string()));
+        }
+    }
+    if (options.server) {
+        screen_.game.connect(*options.server, options.name,
+                             options.errand.value_or(Errand{LookAround{}}));
+        screen_.menu.page = MenuPage::Tables;
+        screen_.menu.is_open = !options.errand;
+    }
+}
+
+WindowApp::~WindowApp() = default;
+
+void WindowApp::run() {
+    while (!screen_.wants_to_quit) {
+        take_events();
+        screen_.now = local_now();
+        screen_.game.advance(screen_.now);
+        draw_frame();
+        const bool is_done = take_picture();
+        write_report();
+        window_.present();
+        if (is_done) return;
+    }
+}
+
+void WindowApp::take_events() {
+    SDL_Event event;
+    while (SDL_PollEvent(&event) != 0) {
+        ImGui_ImplSDL2_ProcessEvent(&event);
+        if (event.type == SDL_QUIT) screen_.wants_to_quit = true;
+        if (event.type == SDL_KEYDOWN && event.key.repeat == 0) take_key(event.key);
+    }
+}
+
+void WindowApp::take_key(const SDL_KeyboardEvent& key) {
+    if (key.keysym.scancode == SDL_SCANCODE_F11) {
+        const bool is_full =
+            (SDL_GetWindowFlags(window_.sdl()) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
+        SDL_SetWindowFullscreen(window_.sdl(), is_full ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
+    } else if (key.keysym.scancode == SDL_SCANCODE_F1) {
+        screen_.menu.is_open = true;
+        screen_.menu.page = MenuPage::Help;
+    }
+}
+
+void WindowApp::draw_frame() {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplSDL2_NewFrame();
+    ImGui::NewFrame();
+    screen_.controls.start_frame();
+    const bool menu_was_open = screen_.menu.is_open;
+    draw_panel(screen_);
+    draw_hud(screen_);
+    draw_menu(screen_);
+    if (!menu_was_open) hands_.handle(screen_);
+    ImGui::Render();
+    draw_table();
+    const Window::Size size = window_.drawable_size();
+    glViewport(0, 0, size.width, size.height);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void WindowApp::draw_table() {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const Window::Size size = window_.drawable_size();
+    const float scale = static_cast<float>(size.width) / display.x;
+    const std::vector<Drawn> drawn = scene();
+    renderer_.draw(
+        drawn, screen_.camera,
+        {.width = static_cast<int>(screen_.table_width(display.x) * scale), .height = size.height});
+}
+
+std::vector<Drawn> WindowApp::scene() {
+    const model::TableSize size = table_size(screen_);
+    std::vector<ShownBall> balls = screen_.game.balls(screen_.now);
+    look_at(balls);
+    if (const Playback* rolling = screen_.game.presentation().rolling()) {
+        const timeline::Timeline& timeline = rolling->shot().record.timeline;
+        if (shown_shot_ != rolling->shot().sequence) orientations_.start_shot();
+        shown_shot_ = rolling->shot().sequence;
+        const double time_s =
+            rolling->shot().record.duration_s - base::seconds(rolling->ends_at() - screen_.now);
+        orientations_.advance(timeline, time_s);
+        const auto falling = falling_balls(timeline, model::table_of(size), time_s);
+        balls.insert(balls.end(), falling.begin(), falling.end());
+    }
+    std::optional<HeldCue> cue;
+    const auto cue_ball_m = screen_.game.cue_ball_m();
+    if (cue_ball_m && screen_.game.acting()) {
+        const ShotControl& shot = screen_.game.shot();
+        cue = HeldCue{.ball_m = *cue_ball_m,
+                      .shot = shot.shot(),
+                      .drawn_back_m = kRestingTip_m + kDrawnBack * shot.drawn_back_m()};
+    }
+    return scene_of(size, balls, orientations_, cue);
+}
+
+/// The eye turns about the ball that it follows, while that is in play.
+void WindowApp::look_at(const std::vector<ShownBall>& balls) {
+    std::optional<base::Vec3> target_m;
+    for (const ShownBall& ball : balls) {
+        const bool is_followed = screen_.follows_ball && ball.ball == screen_.followed;
+        if (is_followed) target_m = ball.state.position_m;
+    }
+    screen_.camera.follow(target_m);
+}
+
+void WindowApp::write_report() {
+    if (!report_.is_open()) return;
+    std::string report = report_of(screen_);
+    if (report == last_report_) return;
+    report_ << report << std::endl;
+    last_report_ = std::move(report);
+}
+
+bool WindowApp::take_picture() {
+    if (!options_.scene || !(*options_.scene)(screen_)) return false;
+    if (++frames_at_scene_ < kFramesUntilSettled) return false;
+    save_picture(window_, options_.screenshot);
+    return true;
+}
+
+}  // namespace billiards::client

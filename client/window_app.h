@@ -1,0 +1,75 @@
+// Takes options; runs the window: events in, frames out.
+#pragma once
+
+#include "client/render/renderer.h"
+#include "client/render/window.h"
+#include "client/scene/orientation.h"
+#include "client/ui/hands.h"
+#include "client/ui/screen.h"
+#include "client/ui/stage_scene.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+
+namespace billiards::client {
+
+struct WindowAppOptions {
+    WindowOptions window;
+    std::filesystem::path assets;
+    std::filesystem::path data;  ///< Where this profile keeps what it plays.
+    std::string name = "Player";
+    std::uint64_t seed = 0;
+    std::optional<SceneStep> scene;    ///< Ends the program once its picture is saved.
+    std::filesystem::path screenshot;  ///< Of the scene.
+    std::filesystem::path report;      ///< Empty: none.
+    std::optional<Errand> errand;      ///< What to do at `server` at once.
+    std::optional<ServerAddress> server;
+};
+
+class WindowApp {
+  public:
+    /// Throws what the window, the models or the report cannot do, as a sentence.
+    explicit WindowApp(const WindowAppOptions& options);
+    ~WindowApp();
+    WindowApp(const WindowApp&) = delete;
+    WindowApp& operator=(const WindowApp&) = delete;
+
+    /// Until somebody quits, or the scene is on its picture.
+    void run();
+
+  private:
+    /// ImGui's context and its two backends.
+    struct Gui {
+        explicit Gui(const Window& window);
+        ~Gui();
+        Gui(const Gui&) = delete;
+        Gui& operator=(const Gui&) = delete;
+    };
+
+    void take_events();
+    void take_key(const SDL_KeyboardEvent& key);
+    void draw_frame();
+    void draw_table();
+    std::vector<Drawn> scene();
+    void look_at(const std::vector<ShownBall>& balls);
+    void write_report();
+    /// Whether the picture is taken, and the program done.
+    bool take_picture();
+
+    WindowAppOptions options_;
+    Window window_;
+    Gui gui_;
+    Renderer renderer_;
+    Screen screen_;
+    Hands hands_;
+    Orientations orientations_;
+    std::uint64_t shown_shot_ = 0;  ///< The sequence of the shot that the orientations follow.
+    std::ofstream report_;
+    std::string last_report_;
+    int frames_at_scene_ = 0;
+};
+
+}  // namespace billiards::client
