@@ -40,8 +40,8 @@ ImVec2 drag_on_last_item() {
 }
 
 void draw_information(Screen& screen) {
-    const float height = std::max(kLeastInformationHeight,
-                                  ImGui::GetContentRegionAvail().y - kControlsHeight);
+    const float height =
+        std::max(kLeastInformationHeight, ImGui::GetContentRegionAvail().y - kControlsHeight);
     ImGui::BeginChild("information", {0.0F, height}, true);
     ImGui::PushFont(screen.letters.small);
     for (const std::string& line : information(screen.game)) {
