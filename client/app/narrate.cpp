@@ -194,13 +194,13 @@ std::string tell(const TableView& before, const server::ShotPlayed& shot) {
     const std::string_view note = remark(shot.verdict.reason);
     if (!note.empty()) happened += fmt::format(", {}", note);
     return fmt::format(
-        "{} {}: {}", before.row.seats[shot.seat].name, said(before, shot.call),
+        "{} {}: {}", full_name(before, shot.seat), said(before, shot.call),
         joined({happened, fouls_of(shot.verdict), groups_set(before, shot.after, shot.verdict),
                 what_follows(before, shot.verdict)}));
 }
 
 std::string tell(const TableView& before, const server::MatchMoved& moved) {
-    const std::string who = before.row.seats[moved.seat].name;
+    const std::string who = full_name(before, moved.seat);
     if (moved.after.stage == match::Stage::Over && !moved.verdict) {
         return fmt::format("{} {}", who, last_words(moved.after));
     }
@@ -220,13 +220,20 @@ std::string narrate(const TableView& before, const server::MatchOver& over) {
     const model::Seat loser = model::opponent_of(*over.winner);
     const std::string how =
         over.conceded ? fmt::format(": {} conceded", short_name(before, loser)) : std::string();
-    return fmt::format("{} wins the match {}-{}{}", before.row.seats[*over.winner].name,
+    return fmt::format("{} wins the match {}-{}{}", full_name(before, *over.winner),
                        over.racks_won[*over.winner], over.racks_won[loser], how);
 }
 
-std::string short_name(const TableView& table, model::Seat seat) {
+std::string full_name(const TableView& table, model::Seat seat) {
     const std::string& name = table.row.seats[seat].name;
-    const std::string& other = table.row.seats[model::opponent_of(seat)].name;
+    const bool has_both_seats = name == table.row.seats[model::opponent_of(seat)].name;
+    if (!has_both_seats) return name;
+    return seat == model::Seat::First ? "Player 1" : "Player 2";
+}
+
+std::string short_name(const TableView& table, model::Seat seat) {
+    const std::string name = full_name(table, seat);
+    const std::string other = full_name(table, model::opponent_of(seat));
     return base_name(name) == base_name(other) ? name : base_name(name);
 }
 

@@ -24,6 +24,9 @@ std::string narrate(const TableView& before, const protocol::server::MatchOver& 
 std::string tell(const TableView& before, const protocol::server::ShotPlayed& shot);
 std::string tell(const TableView& before, const protocol::server::MatchMoved& moved);
 
+/// The name of a seat's player with its discriminator; "Player 1" and "Player 2" where one session
+/// has both seats.
+std::string full_name(const TableView& table, model::Seat seat);
 /// The name of a seat's player as it is said in passing.
 std::string short_name(const TableView& table, model::Seat seat);
 

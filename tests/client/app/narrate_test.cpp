@@ -178,6 +178,13 @@ TEST(Narrate, TheDiscriminatorStaysWhereBothAreCalledTheSame) {
     EXPECT_EQ(short_name(table_before(rules::Phase::Open), Seat::First), "Ada");
 }
 
+TEST(Narrate, TwoPlayersAtOneScreenAreToldApart) {
+    TableView table = table_before(rules::Phase::Open);
+    table.row.seats[Seat::Second].name = table.row.seats[Seat::First].name;
+    EXPECT_EQ(short_name(table, Seat::First), "Player 1");
+    EXPECT_EQ(full_name(table, Seat::Second), "Player 2");
+}
+
 TEST(Narrate, AChoiceAndWhatFollows) {
     server::MatchMoved moved = told::moved(2, Seat::Second, told::match_at(9, Seat::Second, 1));
     moved.choice = Choice::RebreakSelf;
