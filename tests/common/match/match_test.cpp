@@ -260,6 +260,23 @@ TEST(MatchRace, WonRackIsCountedAndAFreshOneRacked) {
     expect_sound(next);
 }
 
+TEST(MatchRace, RackOfStraightPoolStartsWithoutPointsAndFouls) {
+    Settings settings = race_to(2);
+    settings.game = rules::Game::StraightPool;
+    const MatchState match = started(settings);
+    rules::Verdict pots = passes_to(Seat::First);
+    pots.phase = Phase::Groups;
+    pots.score_change = {{7, -1}};
+    pots.consecutive_fouls = {{0, 1}};
+    const MatchState scored = told(told(match, pots), pots);
+    EXPECT_EQ(scored.rack.scores, (model::PerSeat<int>{{14, -2}}));
+    const MatchState next = told(scored, won_by(Seat::First));
+    EXPECT_EQ(next.racks_won[Seat::First], 1);
+    EXPECT_EQ(next.rack.scores, model::PerSeat<int>{});
+    EXPECT_EQ(next.rack.consecutive_fouls, model::PerSeat<int>{});
+    expect_sound(next);
+}
+
 TEST(MatchRace, EndsWhenOneSeatHasWonItsRacks) {
     MatchState match = started(race_to(2));
     for (const Seat winner : {Seat::First, Seat::Second, Seat::First}) {

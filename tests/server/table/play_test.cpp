@@ -267,6 +267,24 @@ TEST_F(PlayTest, LetsOneClientPlayBothSeats) {
     EXPECT_EQ(count<told::ShotPlayed>(ada), count<told::ShotPlayed>(linus));
 }
 
+TEST_F(PlayTest, PlaysEveryGame) {
+    for (const rules::Game game :
+         {rules::Game::EightBall, rules::Game::NineBall, rules::Game::TenBall,
+          rules::Game::StraightPool, rules::Game::Practice}) {
+        ada = greet("Ada");
+        client::CreateTable create{.name = "", .settings = {}, .role = Role::BothSeats};
+        create.settings.game = game;
+        create.settings.aim_help = false;
+        create.settings.spectator_delay_s = 5.0;
+        say(ada, create);
+        say(ada, client::Ready{});
+        ASSERT_EQ(count<told::MatchStarted>(ada), 1U);
+        EXPECT_EQ(last<told::MatchStarted>(ada).state.settings, create.settings);
+        say(ada, client::Concede{});
+        EXPECT_EQ(last<told::MatchOver>(ada).winner.has_value(), game != rules::Game::Practice);
+    }
+}
+
 TEST_F(PlayTest, EndsWithAConcessionAndStartsAgainWhenBothAreReady) {
     start_match();
     say(grace, client::Concede{});
