@@ -7,7 +7,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 usage() {
     cat <<'TEXT'
 ./run.sh                   set up, build, and play a demonstration match: a real server, two
-                           players and a spectator, each a process of its own, over TCP
+                           players and a spectator, each a process of its own, over TCP; the
+                           match is left in build/demo/match.billiards
 ./run.sh [OPTIONS]         the same, with options of billiards-demo: --race N, --seed K ...
 ./run.sh --server [ARGS]   set up, build, and host; ARGS are those of billiards-server
 ./run.sh play|watch ...    set up, build, and join a server as a player or a spectator
@@ -31,4 +32,8 @@ if [ "${1:-}" = --server ]; then
     shift
     exec "$root/build/bin/billiards-server" "$@"
 fi
-exec "$root/build/bin/billiards-demo" "$@"
+case "${1:-}" in
+    play | watch) exec "$root/build/bin/billiards-demo" "$@" ;;
+esac
+mkdir -p "$root/build/demo"
+exec "$root/build/bin/billiards-demo" --keep "$root/build/demo/match.billiards" "$@"

@@ -50,6 +50,20 @@ TEST(Programs, TheDemonstrationEndsWithItsResult) {
     EXPECT_TRUE(ran.last().ends_with(" shots")) << ran.last();
 }
 
+TEST(Programs, TheDemonstrationLeavesAMatchThatVerifies) {
+    support::TemporaryFolder folder;
+    const std::string file = (folder.path() / "match.billiards").string();
+    const Ran demo =
+        run({BILLIARDS_DEMO_PROGRAM, "--race", "1", "--think", "0", "--seed", "4", "--keep", file});
+    EXPECT_EQ(demo.exit_code, 0) << demo.last();
+    EXPECT_TRUE(demo.last().starts_with("demo: 8-ball")) << demo.last();
+    const Ran verified = run({BILLIARDS_SIM_PROGRAM, "replay", file, "--print", "--verify"});
+    EXPECT_EQ(verified.exit_code, 0) << verified.last();
+    EXPECT_TRUE(verified.last().starts_with("verified: ")) << verified.last();
+    ASSERT_FALSE(verified.lines.empty());
+    EXPECT_NE(verified.lines.front().find(" - "), std::string::npos) << verified.lines.front();
+}
+
 TEST(Programs, AServerSaysThatItsPortIsInUse) {
     Host host;
     support::TemporaryFolder folder;

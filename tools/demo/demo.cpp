@@ -2,6 +2,7 @@
 // prints what the spectator sees; compares what the three got.
 #include "tools/demo/demo.h"
 
+#include "server/export.h"
 #include "tools/demo/child_process.h"
 #include "tools/demo/temp_folder.h"
 
@@ -18,6 +19,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,6 +63,7 @@ class Demo {
     void closed(Part part);
     void conclude();
     void finish(int exit_code);
+    void keep_match();
     void fail(const std::string& why);
 
     Child& child(Part part) { return children_.at(static_cast<std::size_t>(part)); }
@@ -97,6 +100,7 @@ int Demo::run() {
     io_.run();
     // Players first: a server that still has some takes its time to go.
     for (auto part = children_.rbegin(); part != children_.rend(); ++part) part->process.reset();
+    if (exit_code_ == 0 && !options_.keep.empty() && !options_.connect) keep_match();
     return exit_code_.value_or(1);
 }
 
@@ -232,6 +236,15 @@ void Demo::fail(const std::string& why) {
 void Demo::finish(int exit_code) {
     if (!exit_code_) exit_code_ = exit_code;
     io_.stop();
+}
+
+/// The server has ended, and its folder is still there. Nothing is said of it: the result stays the
+/// last line.
+void Demo::keep_match() {
+    std::ostringstream unsaid;
+    const server::ExportOrder order{
+        .data = data_.path(), .match = server::MatchId{1}, .file = options_.keep};
+    exit_code_ = server::export_match(order, unsaid, std::cerr);
 }
 
 }  // namespace

@@ -67,6 +67,8 @@ void add_demo(CLI::App& app, DemoOptions& options, std::string& connect) {
                    "The server program; without it, billiards-server beside this one");
     app.add_option("--connect", connect, "HOST:PORT of a server that runs already, instead")
         ->check(check_address);
+    app.add_option("--keep", options.keep,
+                   "File to leave the match in, as a replay; not with --connect");
     app.add_option("--think", options.think_s, "Seconds before each shot")
         ->check(CLI::Range(0.0, 60.0))
         ->capture_default_str();

@@ -24,6 +24,7 @@ struct DemoOptions {
     double think_s = 0.25;
     double unsteady_deg = kUnsteady_deg;
     double limit_s = 300.0;  ///< After which it gives up.
+    std::string keep;        ///< File for the match as a replay; empty: it is forgotten.
 };
 
 /// One role, at a server that runs already.
