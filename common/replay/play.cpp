@@ -14,6 +14,10 @@ Result<match::MatchState> play(const Replay& replay, const Visit& visit) {
     match::MatchState state = std::move(start).value();
     for (std::size_t index = 0; index < replay.entries.size(); ++index) {
         const protocol::JournalEntry& entry = replay.entries[index];
+        if (std::holds_alternative<match::TakeShot>(entry.command) && !entry.record) {
+            return Fault{FaultCode::Invalid,
+                         fmt::format("entry {}: a shot without its record", index + 1)};
+        }
         auto next =
             match::refold(state, entry.seat, entry.command, entry.final_layout, entry.verdict);
         if (!next) {

@@ -18,8 +18,9 @@ struct Moment {
 
 using Visit = std::function<void(const Moment&)>;
 
-/// The match as it stood at the end. No shot is solved. Where an entry does not follow from those
-/// before it, all before have been visited, and the fault names it.
+/// The match as it stood at the end. No shot is solved; each has a record to be shown. Where an
+/// entry does not follow from those before it, all before have been visited, and the fault names
+/// it.
 Result<match::MatchState> play(const Replay& replay, const Visit& visit);
 
 }  // namespace billiards::replay

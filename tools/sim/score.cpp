@@ -60,6 +60,7 @@ void print(const replay::Header& header, std::ostream& out) {
 class Scorer {
   public:
     Scorer(const replay::Header& header, std::ostream& out) : out_(out) {
+        table_.row.settings = header.settings;
         client::TableView named;
         for (const Seat seat : model::kSeats) named.row.seats[seat].name = header.players[seat];
         for (const Seat seat : model::kSeats) {
@@ -81,10 +82,10 @@ class Scorer {
     }
 
     void end(const match::MatchState& state) {
-        if (!state.winner) return;
+        if (state.stage != match::Stage::Over) return;
         table_.match = state;
         protocol::server::MatchOver over;
-        over.winner = *state.winner;
+        over.winner = state.winner;
         over.racks_won = state.racks_won;
         over.conceded = has_conceded_;
         fmt::print(out_, "\n{}\n", client::narrate(table_, over));
@@ -102,8 +103,8 @@ class Scorer {
         played.seat = moment.entry.seat;
         played.shot = take.shot;
         played.call = take.call;
-        if (moment.entry.record) played.record = *moment.entry.record;
-        if (moment.entry.verdict) played.verdict = *moment.entry.verdict;
+        played.record = *moment.entry.record;
+        played.verdict = *moment.entry.verdict;
         played.after = moment.after;
         fmt::print(out_, "{:4}. {}\n", moment.after.shots_played, client::tell(table_, played));
     }

@@ -54,6 +54,12 @@ TEST(Play, NamesTheEntryThatDoesNotFollow) {
     EXPECT_EQ(visited, 5U);
 }
 
+TEST(Play, NeedsTheRecordOfEveryShot) {
+    Replay replay = whole_match();
+    shot_of(replay, 2).record.reset();
+    EXPECT_THAT(play(replay, ignore).error().detail, HasSubstr("a shot without its record"));
+}
+
 TEST(Play, NeedsSettingsThatAMatchCanHave) {
     Replay replay = whole_match();
     replay.header.settings.race_to = 0;

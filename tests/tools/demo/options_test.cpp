@@ -25,6 +25,11 @@ TEST(DemoOptions, AServerThatRunsMayBeUsed) {
     EXPECT_EQ(options.race_to, 5);
 }
 
+TEST(DemoOptions, TheMatchMayBeKept) {
+    EXPECT_EQ(std::get<DemoOptions>(parsed({})).keep, "");
+    EXPECT_EQ(std::get<DemoOptions>(parsed({"--keep", "m.billiards"})).keep, "m.billiards");
+}
+
 TEST(DemoOptions, APlayerOpensATableOrJoinsOne) {
     const auto opens = std::get<RoleOptions>(parsed({"play", "--server", "here:1"}));
     EXPECT_EQ(opens.role, protocol::Role::Player);

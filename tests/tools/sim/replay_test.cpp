@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 #include <iterator>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace billiards::tools {
 namespace {
@@ -79,13 +81,43 @@ TEST(Replay, PrintsAndVerifiesWhereBothAreAsked) {
     EXPECT_THAT(ran.out, HasSubstr("verified: "));
 }
 
+std::string content_of(const replay::Replay& replay) {
+    const Bytes bytes = replay::to_bytes(replay).value();
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// A match of these commands, each by its seat; none is a shot.
+Ran run_on_match_of(const std::vector<std::pair<model::Seat, match::Command>>& commands) {
+    const support::TemporaryFolder folder;
+    const fs::path file = folder.path() / "match.billiards";
+    replay::Replay replay;
+    replay.header.players = {{"Ada#3f21", "Grace#84ac"}};
+    for (const auto& [seat, command] : commands) {
+        replay.entries.emplace_back();
+        replay.entries.back().seat = seat;
+        replay.entries.back().command = command;
+    }
+    std::ofstream(file, std::ios::binary) << content_of(replay);
+    return run({.file = file, .is_printed = true});
+}
+
+TEST(Replay, TellsHowAMatchEndedWithoutAShot) {
+    const model::TurnNumber turn{1};
+    const Ran drawn =
+        run_on_match_of({{model::Seat::First, match::Offer{turn, match::OfferKind::Draw}},
+                         {model::Seat::Second, match::Answer{turn, true}}});
+    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+    EXPECT_THAT(drawn.out, HasSubstr("Ada offers a draw"));
+    EXPECT_THAT(drawn.out, HasSubstr("\nthe match is drawn 0-0\n"));
+    const Ran conceded = run_on_match_of({{model::Seat::First, match::Concede{}}});
+    EXPECT_THAT(conceded.out, HasSubstr("\nGrace wins the match 0-0: Ada conceded\n"));
+}
+
 TEST_F(SpoiltReplay, OfAnOldEngineIsPrintedButNotVerified) {
     auto old = replay::from_bytes(std::as_bytes(std::span(whole_)))->replay;
     old.header.engine = "0.9";
-    const Bytes bytes = replay::to_bytes(old).value();
-    const std::string content(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    EXPECT_EQ(run_on(content, false).exit_code, 0);
-    const Ran ran = run_on(content, true);
+    EXPECT_EQ(run_on(content_of(old), false).exit_code, 0);
+    const Ran ran = run_on(content_of(old), true);
     EXPECT_EQ(ran.exit_code, 1);
     EXPECT_THAT(ran.err, StartsWith("not verified: played by engine 0.9, this is engine "));
 }
@@ -121,9 +153,7 @@ TEST_F(SpoiltReplay, OversizedIsRefusedWithTheReason) {
 TEST_F(SpoiltReplay, WithAStepThatNoRuleHasIsPrintedUpToThere) {
     auto bad = replay::from_bytes(std::as_bytes(std::span(whole_)))->replay;
     bad.entries.at(6).seat = model::opponent_of(bad.entries.at(6).seat);
-    const Bytes bytes = replay::to_bytes(bad).value();
-    const Ran ran =
-        run_on(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()), false);
+    const Ran ran = run_on(content_of(bad), false);
     EXPECT_EQ(ran.exit_code, 2);
     EXPECT_THAT(ran.err, HasSubstr("entry 7: "));
     EXPECT_THAT(content_of(golden(".txt")), StartsWith(ran.out));
