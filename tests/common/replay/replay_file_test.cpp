@@ -3,6 +3,7 @@
 
 #include "common/replay/block_chain.h"
 #include "common/replay/play.h"
+#include "common/replay/verify.h"
 #include "tests/common/replay/bot_match.h"
 
 #include <algorithm>
@@ -73,13 +74,21 @@ void expect_start_of_short_match(const std::vector<protocol::JournalEntry>& entr
     EXPECT_TRUE(std::equal(entries.begin(), entries.end(), all.begin()));
 }
 
-TEST(ReplayFile, GivesBackAWholeMatch) {
-    const Replay replay = bot_match(race_to(2), 11);
-    const auto opened = from_bytes(bytes_of(replay));
-    ASSERT_TRUE(opened.ok()) << opened.error().detail;
-    EXPECT_FALSE(opened->damage);
-    EXPECT_EQ(opened->replay, replay);
-    EXPECT_EQ(play(opened->replay, [](const Moment&) {})->stage, match::Stage::Over);
+TEST(ReplayFile, GivesBackAWholeMatchOfEachGame) {
+    for (const rules::Game game : {rules::Game::EightBall, rules::Game::NineBall,
+                                   rules::Game::TenBall, rules::Game::StraightPool}) {
+        SCOPED_TRACE(static_cast<int>(game));
+        match::Settings settings = race_to(game == rules::Game::StraightPool ? 1 : 2);
+        settings.game = game;
+        settings.options.target_points = 20;
+        const Replay replay = bot_match(settings, 11);
+        const auto opened = from_bytes(bytes_of(replay));
+        ASSERT_TRUE(opened.ok()) << opened.error().detail;
+        EXPECT_FALSE(opened->damage);
+        EXPECT_EQ(opened->replay, replay);
+        EXPECT_EQ(play(opened->replay, [](const Moment&) {})->stage, match::Stage::Over);
+        EXPECT_TRUE(verify(opened->replay).ok());
+    }
 }
 
 TEST(ReplayFile, CutAnywhereIsTruncatedAndOpensUpToThere) {
