@@ -9,11 +9,13 @@
 #include "client/ui/panel.h"
 #include "client/ui/report.h"
 
+#include <algorithm>
 #include <backends/imgui_impl_opengl3.h>
 #include <backends/imgui_impl_sdl.h>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <stdexcept>
+#include <vector>
 
 namespace billiards::client {
 
@@ -86,16 +88,29 @@ void WindowApp::run() {
     }
 }
 
+/// Up to where a key is let go that went down in this very frame: ImGui 1.86 looks at keys once a
+/// frame, and would miss a short tap on a slow machine. The next frame takes the rest.
 void WindowApp::take_events() {
+    std::vector<SDL_Scancode> pressed;
     SDL_Event event;
-    while (SDL_PollEvent(&event) != 0) {
+    SDL_PumpEvents();
+    while (SDL_PeepEvents(&event, 1, SDL_PEEKEVENT, SDL_FIRSTEVENT, SDL_LASTEVENT) > 0) {
+        const bool is_key = event.type == SDL_KEYDOWN || event.type == SDL_KEYUP;
+        const SDL_Scancode key = event.key.keysym.scancode;
+        if (event.type == SDL_KEYUP && std::ranges::find(pressed, key) != pressed.end()) return;
+        if (event.type == SDL_KEYDOWN) pressed.push_back(key);
+        SDL_PeepEvents(&event, 1, SDL_GETEVENT, SDL_FIRSTEVENT, SDL_LASTEVENT);
         ImGui_ImplSDL2_ProcessEvent(&event);
+        if (is_key) take_key(event.key);
         if (event.type == SDL_QUIT) screen_.wants_to_quit = true;
-        if (event.type == SDL_KEYDOWN && event.key.repeat == 0) take_key(event.key);
     }
 }
 
 void WindowApp::take_key(const SDL_KeyboardEvent& key) {
+    // As it was when the key was pressed; the backend asks how it is now.
+    ImGui::GetIO().KeyShift = (key.keysym.mod & KMOD_SHIFT) != 0;
+    ImGui::GetIO().KeyCtrl = (key.keysym.mod & KMOD_CTRL) != 0;
+    if (key.type != SDL_KEYDOWN || key.repeat != 0) return;
     if (key.keysym.scancode == SDL_SCANCODE_F11) {
         const bool is_full =
             (SDL_GetWindowFlags(window_.sdl()) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;

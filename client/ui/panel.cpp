@@ -34,9 +34,11 @@ void group(const Screen& screen, const char* name) {
     ImGui::Separator();
 }
 
-/// How far the mouse was dragged since the last frame, while the control is held.
+/// How far the mouse was dragged since the last frame, while the control is held. The way to it is
+/// no drag, even where a slow frame saw both at once.
 ImVec2 drag_on_last_item() {
-    return ImGui::IsItemActive() ? ImGui::GetIO().MouseDelta : ImVec2{0.0F, 0.0F};
+    const bool is_dragged = ImGui::IsItemActive() && !ImGui::IsItemActivated();
+    return is_dragged ? ImGui::GetIO().MouseDelta : ImVec2{0.0F, 0.0F};
 }
 
 void draw_information(Screen& screen) {

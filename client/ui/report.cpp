@@ -4,6 +4,7 @@
 #include "client/play/information.h"
 
 #include <fmt/format.h>
+#include <imgui.h>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -75,6 +76,15 @@ Json table_of(const Screen& screen, const TableView& table) {
     return json;
 }
 
+/// As the frame saw it: a hand that drives the program knows when it has been felt.
+Json mouse_of(const ImGuiIO& io) {
+    Json held = Json::array();
+    for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) {
+        if (io.MouseDown[button]) held.push_back(button);
+    }
+    return {{"at", {io.MousePos.x, io.MousePos.y}}, {"held", held}};
+}
+
 Json controls_of(const ControlMap& controls) {
     Json json = Json::object();
     for (const auto& [name, place] : controls.places()) {
@@ -89,20 +99,26 @@ std::string report_of(const Screen& screen) {
     const TableView* table = screen.game.presentation().table();
     const auto cue_ball_m = screen.game.cue_ball_m();
     const auto acting = screen.game.acting();
-    Json json{{"menu", screen.menu.is_open},
-              {"page", static_cast<int>(screen.menu.page)},
-              {"trouble", screen.menu.trouble},
-              {"connected", screen.game.is_connected()},
-              {"acting", acting ? Json(static_cast<int>(*acting)) : Json(nullptr)},
-              {"cue_ball", cue_ball_m ? Json{cue_ball_m->x, cue_ball_m->y} : Json(nullptr)},
-              {"placing", screen.game.placing().has_value()},
-              {"shot", shot_of(screen.game.shot())},
-              {"camera", camera_of(screen)},
-              {"folded", screen.is_panel_folded},
-              {"aim_line", screen.shows_aim_line},
-              {"information", information(screen.game)},
-              {"table", table != nullptr ? table_of(screen, *table) : Json(nullptr)},
-              {"controls", controls_of(screen.controls)}};
+    const ImGuiIO& io = ImGui::GetIO();
+    Json json{
+        {"window", {io.DisplaySize.x, io.DisplaySize.y}},
+        {"table_width", screen.table_width(io.DisplaySize.x)},
+        {"mouse", mouse_of(io)},
+        {"menu", screen.menu.is_open},
+        {"page", static_cast<int>(screen.menu.page)},
+        {"trouble", screen.menu.trouble},
+        {"connected", screen.game.is_connected()},
+        {"acting", acting ? Json(static_cast<int>(*acting)) : Json(nullptr)},
+        {"cue_ball", cue_ball_m ? Json{cue_ball_m->x, cue_ball_m->y} : Json(nullptr)},
+        {"placing", screen.game.placing().has_value()},
+        {"called_ball", screen.called_ball ? Json(screen.called_ball->number) : Json(nullptr)},
+        {"shot", shot_of(screen.game.shot())},
+        {"camera", camera_of(screen)},
+        {"folded", screen.is_panel_folded},
+        {"aim_line", screen.shows_aim_line},
+        {"information", information(screen.game)},
+        {"table", table != nullptr ? table_of(screen, *table) : Json(nullptr)},
+        {"controls", controls_of(screen.controls)}};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
