@@ -31,6 +31,7 @@ struct Flags {
     std::string server;
     std::uint32_t table = 0;
     bool watches = false;
+    std::string pictures;
 };
 
 void describe(CLI::App& app, Flags& flags) {
@@ -43,9 +44,17 @@ void describe(CLI::App& app, Flags& flags) {
                    "Folder for what is played here [$XDG_DATA_HOME/gl-billiards/PROFILE]")
         ->type_name("FOLDER");
     app.add_option("--assets", flags.assets, "Folder of models and textures")->type_name("FOLDER");
-    app.add_option("--server", flags.server, "Go to this server at once")->type_name("HOST:PORT");
-    app.add_option("--table", flags.table, "And to this table there")->type_name("NUMBER");
-    app.add_flag("--watch", flags.watches, "To watch, not to play");
+    auto* server = app.add_option("--server", flags.server, "Go to this server at once")
+                       ->type_name("HOST:PORT");
+    auto* table = app.add_option("--table", flags.table, "And to this table there")
+                      ->type_name("NUMBER")
+                      ->needs(server);
+    auto* watch = app.add_flag("--watch", flags.watches, "To watch, not to play");
+    app.add_option("--pictures", flags.pictures,
+                   "Save pictures of the match that is watched, and end with it")
+        ->type_name("FOLDER")
+        ->needs(table)
+        ->needs(watch);
     app.add_flag("--offscreen", flags.is_offscreen, "Draw without a display");
     app.add_option("--screenshot", flags.screenshot, "Save a picture of the scene, and end")
         ->type_name("FILE.png");
@@ -106,6 +115,7 @@ WindowAppOptions options_of(const Flags& flags) {
     options.name = flags.name;
     options.seed = std::random_device()();
     options.report = flags.report;
+    options.pictures = flags.pictures;
     if (!flags.screenshot.empty()) {
         options.screenshot = flags.screenshot;
         options.scene = scene_named(flags.scene);

@@ -21,12 +21,12 @@ namespace billiards::client {
 
 namespace {
 
-/// A frame is drawn on what ImGui measured in the one before.
-constexpr int kFramesUntilSettled = 4;
 /// How far the tip is from the ball at least, and how much of the pull is shown, so that the butt
 /// stays in the picture.
 constexpr double kRestingTip_m = 0.02;
 constexpr double kDrawnBack = 0.35;
+/// From here on a coarse ball looks like a fine one.
+constexpr double kFarBalls_m = 1.2;
 
 model::TableSize table_size(const Screen& screen) {
     const TableView* table = screen.game.presentation().table();
@@ -54,7 +54,8 @@ WindowApp::WindowApp(const WindowAppOptions& options)
     : options_(options),
       window_(options.window),
       gui_(window_),
-      renderer_(options.assets),
+      quality_(options.window.is_offscreen ? Quality::Fine : quality_of_driver()),
+      renderer_(options.assets, quality_),
       screen_(options.seed, options.data) {
     screen_.letters = set_look();
     screen_.menu.name = options.name;
@@ -76,6 +77,10 @@ WindowApp::WindowApp(const WindowAppOptions& options)
 WindowApp::~WindowApp() = default;
 
 void WindowApp::run() {
+    options_.pictures.empty() ? run_window() : draw_pictures();
+}
+
+void WindowApp::run_window() {
     while (!screen_.wants_to_quit) {
         take_events();
         screen_.now = local_now();
@@ -88,17 +93,19 @@ void WindowApp::run() {
     }
 }
 
-/// Up to where a key is let go that went down in this very frame: ImGui 1.86 looks at keys once a
-/// frame, and would miss a short tap on a slow machine. The next frame takes the rest.
+/// Up to the second change of one key: ImGui 1.86 looks at keys once a frame, and would miss a
+/// short tap on a slow machine. The next frame takes the rest.
 void WindowApp::take_events() {
-    std::vector<SDL_Scancode> pressed;
+    std::vector<SDL_Scancode> changed;
     SDL_Event event;
     SDL_PumpEvents();
     while (SDL_PeepEvents(&event, 1, SDL_PEEKEVENT, SDL_FIRSTEVENT, SDL_LASTEVENT) > 0) {
         const bool is_key = event.type == SDL_KEYDOWN || event.type == SDL_KEYUP;
-        const SDL_Scancode key = event.key.keysym.scancode;
-        if (event.type == SDL_KEYUP && std::ranges::find(pressed, key) != pressed.end()) return;
-        if (event.type == SDL_KEYDOWN) pressed.push_back(key);
+        if (is_key && event.key.repeat == 0) {
+            const SDL_Scancode key = event.key.keysym.scancode;
+            if (std::ranges::find(changed, key) != changed.end()) return;
+            changed.push_back(key);
+        }
         SDL_PeepEvents(&event, 1, SDL_GETEVENT, SDL_FIRSTEVENT, SDL_LASTEVENT);
         ImGui_ImplSDL2_ProcessEvent(&event);
         if (is_key) take_key(event.key);
@@ -170,7 +177,9 @@ std::vector<Drawn> WindowApp::scene() {
                       .shot = shot.shot(),
                       .drawn_back_m = kRestingTip_m + kDrawnBack * shot.drawn_back_m()};
     }
-    return scene_of(size, balls, orientations_, cue);
+    const bool is_far = screen_.camera.distance_m() > kFarBalls_m;
+    const Detail detail = quality_ == Quality::Quick && is_far ? Detail::Coarse : Detail::Fine;
+    return scene_of(size, balls, orientations_, cue, detail);
 }
 
 /// The eye turns about the ball that it follows, while that is in play.

@@ -1,6 +1,7 @@
 // Takes options; runs the window: events in, frames out.
 #pragma once
 
+#include "client/play/rack_pictures.h"
 #include "client/render/renderer.h"
 #include "client/render/window.h"
 #include "client/scene/orientation.h"
@@ -24,6 +25,7 @@ struct WindowAppOptions {
     std::uint64_t seed = 0;
     std::optional<SceneStep> scene;    ///< Ends the program once its picture is saved.
     std::filesystem::path screenshot;  ///< Of the scene.
+    std::filesystem::path pictures;    ///< Folder for a watched match's; empty: none.
     std::filesystem::path report;      ///< Empty: none.
     std::optional<Errand> errand;      ///< What to do at `server` at once.
     std::optional<ServerAddress> server;
@@ -37,7 +39,7 @@ class WindowApp {
     WindowApp(const WindowApp&) = delete;
     WindowApp& operator=(const WindowApp&) = delete;
 
-    /// Until somebody quits, or the scene is on its picture.
+    /// Until somebody quits, or what is to be drawn is drawn.
     void run();
 
   private:
@@ -49,6 +51,9 @@ class WindowApp {
         Gui& operator=(const Gui&) = delete;
     };
 
+    void run_window();
+    void draw_pictures();
+    void draw_picture(const DuePicture& picture);
     void take_events();
     void take_key(const SDL_KeyboardEvent& key);
     void draw_frame();
@@ -62,6 +67,7 @@ class WindowApp {
     WindowAppOptions options_;
     Window window_;
     Gui gui_;
+    Quality quality_;
     Renderer renderer_;
     Screen screen_;
     Hands hands_;
@@ -69,6 +75,8 @@ class WindowApp {
     std::uint64_t shown_shot_ = 0;  ///< The sequence of the shot that the orientations follow.
     std::ofstream report_;
     std::string last_report_;
+    /// A frame is drawn on what ImGui measured in the one before.
+    static constexpr int kFramesUntilSettled = 4;
     int frames_at_scene_ = 0;
 };
 

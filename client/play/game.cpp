@@ -44,12 +44,19 @@ void Game::disconnect() {
 }
 
 void Game::advance(base::Instant now) {
-    now_ = now;
-    while (link_) {
-        const std::optional<LinkEvent> event = link_->poll();
-        if (!event) break;
-        take(*event);
+    while (take_next()) {
     }
+    show(now);
+}
+
+bool Game::take_next() {
+    const std::optional<LinkEvent> event = link_ ? link_->poll() : std::nullopt;
+    if (event) take(*event);
+    return event.has_value();
+}
+
+void Game::show(base::Instant now) {
+    now_ = now;
     presentation_.advance(now);
     start_turn_if_new();
     send_seen();

@@ -50,6 +50,10 @@ class Game {
 
     /// Takes what arrived, shows what is due, sends what waits. Once a frame.
     void advance(base::Instant now);
+    // Its two halves, for who may not miss a shot though the next one has arrived.
+    /// Takes the next thing that arrived; false where nothing waits.
+    bool take_next();
+    void show(base::Instant now);
 
     /// The newest that is known; what is shown may be a shot behind.
     const ClientState& known() const { return state_; }

@@ -36,6 +36,7 @@ std::string to_do(const Game& game, const match::MatchState& match) {
 }
 
 std::string at_the_table(const Game& game, const TableView& table) {
+    if (game.presentation().rests()) return "The next rack follows.";
     if (game.presentation().rolling() != nullptr) return "The balls roll.";
     if (!table.match || table.match->stage == match::Stage::Over) {
         const bool is_seated = !table.my_seats.empty();

@@ -45,6 +45,7 @@ void Presentation::enter(const TableView& table, base::Duration clock_offset) {
 void Presentation::leave() {
     table_.reset();
     rolling_.reset();
+    rests_ = false;
     due_.clear();
     lines_.clear();
     seen_.reset();
@@ -67,7 +68,10 @@ void Presentation::received(const TableView& before, const TableView& after,
 }
 
 void Presentation::advance(base::Instant now) {
-    if (rolling_ && rolling_->finished(now)) settle();
+    if (!rolling_ || !rolling_->finished(now)) return;
+    for (Due& due : due_) say(due.line);
+    rests_ = now < rolling_->ends_at() + rest();
+    if (!rests_) settle();
 }
 
 void Presentation::skip() {
@@ -87,16 +91,29 @@ std::optional<std::uint64_t> Presentation::take_seen() {
     return std::exchange(seen_, std::nullopt);
 }
 
+/// Of the balls, before what is due is shown.
+base::Duration Presentation::rest() const {
+    const bool is_new_rack = !due_.empty() && table_->match && due_.back().table.match &&
+                             table_->match->rack_number != due_.back().table.match->rack_number;
+    return is_new_rack ? kRackRests : base::Duration::zero();
+}
+
+/// Once: the line is empty then.
+void Presentation::say(std::string& line) {
+    if (line.empty()) return;
+    if (lines_.size() >= kLinesKept) lines_.pop_front();
+    lines_.push_back(std::exchange(line, {}));
+}
+
 void Presentation::show(Due due) {
     table_ = std::move(due.table);
-    if (due.line.empty()) return;
-    if (lines_.size() >= kLinesKept) lines_.pop_front();
-    lines_.push_back(std::move(due.line));
+    say(due.line);
 }
 
 void Presentation::settle() {
     if (rolling_) seen_ = rolling_->shot().sequence;
     rolling_.reset();
+    rests_ = false;
     for (Due& due : std::exchange(due_, {})) show(std::move(due));
 }
 

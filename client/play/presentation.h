@@ -7,6 +7,7 @@
 #include "common/base/time.h"
 #include "common/protocol/messages.h"
 
+#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -16,6 +17,8 @@
 namespace billiards::client {
 
 inline constexpr std::size_t kLinesKept = 200;
+/// How long a rack that is won lies as it ended before the next one is shown.
+inline constexpr base::Duration kRackRests = std::chrono::milliseconds(1500);
 
 /// One table on one screen. All times are local.
 class Presentation {
@@ -36,8 +39,10 @@ class Presentation {
 
     /// The table as shown; null where there is none.
     const TableView* table() const { return table_ ? &*table_ : nullptr; }
-    /// The shot whose balls roll; null where all rest.
+    /// The shot whose balls roll; null where all rest and the next may be played.
     const Playback* rolling() const { return rolling_ ? &*rolling_ : nullptr; }
+    /// Its balls rest, and have ended a rack: the next one is shown in a moment.
+    bool rests() const { return rests_; }
     /// The balls in play, in ascending number.
     std::vector<ShownBall> balls(base::Instant now) const;
     /// What happened, in sentences, the oldest first.
@@ -52,11 +57,14 @@ class Presentation {
         std::string line;
     };
 
+    base::Duration rest() const;
+    void say(std::string& line);
     void show(Due due);
     void settle();
 
     std::optional<TableView> table_;
     std::optional<Playback> rolling_;
+    bool rests_ = false;
     std::vector<Due> due_;  ///< Once the balls rest, in this order.
     std::deque<std::string> lines_;
     std::optional<std::uint64_t> seen_;

@@ -98,6 +98,25 @@ TEST_F(PresentationTest, GivesUpARollWhenTheNextShotIsPlayed) {
     EXPECT_EQ(shown_.lines().size(), 1U);
 }
 
+TEST_F(PresentationTest, LeavesARackThatIsWonToBeSeenBeforeTheNext) {
+    tell(told::snapshot(1, {}, told::match_at(3, Seat::First)));
+    auto winning = rolling_shot(2, 4);
+    winning.after.rack_number = 2;
+    tell(winning);
+    shown_.advance(told::kNow + seconds(2));
+    shown_.advance(told::kNow + seconds(2) + kRackRests / 2);
+    EXPECT_TRUE(shown_.rests());
+    EXPECT_EQ(shown_.lines().size(), 1U);
+    EXPECT_EQ(shown_.table()->match->rack_number, 1);
+    EXPECT_DOUBLE_EQ(cue_ball_x(told::kNow + seconds(2)), 1.0);
+
+    shown_.advance(told::kNow + seconds(2) + kRackRests);
+    EXPECT_FALSE(shown_.rests());
+    EXPECT_EQ(shown_.rolling(), nullptr);
+    EXPECT_EQ(shown_.lines().size(), 1U);
+    EXPECT_EQ(shown_.table()->match->rack_number, 2);
+}
+
 TEST_F(PresentationTest, EndsARollAtOnceWhenItIsSkipped) {
     tell(told::snapshot(1, {}, told::match_at(3, Seat::First)));
     tell(rolling_shot(2, 4));
