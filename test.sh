@@ -36,5 +36,5 @@ case "${1:-}" in
 esac
 
 install_packages "${packages[@]}"
-configure_and_build "$preset" all -DBILLIARDS_TESTS=ON "-DBILLIARDS_WERROR=${CI:+ON}"
+configure_and_build "$preset" all -DBILLIARDS_TESTS=ON -DBILLIARDS_CLIENT=ON "-DBILLIARDS_WERROR=${CI:+ON}"
 cd "$root" && exec ctest --preset "$preset" --output-on-failure "$@"

@@ -5,6 +5,7 @@
 #include "tests/support/temporary_folder.h"
 
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -47,8 +48,44 @@ TEST(Programs, TheDemonstrationEndsWithItsResult) {
     const Ran ran = run({BILLIARDS_DEMO_PROGRAM, "--race", "1", "--think", "0", "--seed", "3"});
     EXPECT_EQ(ran.exit_code, 0) << ran.last();
     EXPECT_TRUE(ran.last().starts_with("demo: 8-ball, race to 1, ")) << ran.last();
-    EXPECT_TRUE(ran.last().ends_with(" shots")) << ran.last();
+    EXPECT_TRUE(ran.last().ends_with(" shots, 0 pictures")) << ran.last();
 }
+
+TEST(Programs, TheDemonstrationGoesOnWithoutTheProgramThatDraws) {
+    support::TemporaryFolder folder;
+    const Ran ran = run({BILLIARDS_DEMO_PROGRAM, "--race", "1", "--think", "0", "--pictures",
+                         folder.path().string(), "--window", "/nonexistent/billiards"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.last();
+    EXPECT_EQ(ran.lines.at(0),
+              "no pictures: cannot run /nonexistent/billiards: No such file or directory");
+    EXPECT_TRUE(ran.last().ends_with(" shots, 0 pictures")) << ran.last();
+}
+
+#ifdef BILLIARDS_WINDOW_PROGRAM
+TEST(Programs, TheDemonstrationLeavesPicturesOfItsRack) {
+    support::TemporaryFolder folder;
+    std::ofstream(folder.path() / "rack9-end.png") << "of an earlier demonstration";
+    const Ran ran = run({BILLIARDS_DEMO_PROGRAM, "--race", "1", "--think", "0", "--seed", "3",
+                         "--pictures", folder.path().string()});
+    EXPECT_EQ(ran.exit_code, 0) << ran.last();
+    EXPECT_TRUE(ran.last().ends_with(" shots, 3 pictures")) << ran.last();
+    for (const char* name : {"rack1-break.png", "rack1-middle.png", "rack1-end.png"}) {
+        // A picture of one colour takes a hundredth of this.
+        ASSERT_TRUE(std::filesystem::exists(folder.path() / name)) << name;
+        EXPECT_GT(std::filesystem::file_size(folder.path() / name), 50'000U) << name;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "rack9-end.png"));
+}
+
+TEST(Programs, AWatchedTableThatIsNotThereIsToldAndEndsTheProgram) {
+    Host host;
+    support::TemporaryFolder folder;
+    const Ran ran = run({BILLIARDS_WINDOW_PROGRAM, "--offscreen", "--server", address(host.port()),
+                         "--table", "77", "--watch", "--pictures", folder.path().string()});
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_NE(ran.last().find("table"), std::string::npos) << ran.last();
+}
+#endif
 
 TEST(Programs, TheDemonstrationLeavesAMatchThatVerifies) {
     support::TemporaryFolder folder;

@@ -1,5 +1,5 @@
-// Starts a server, a player, a spectator and a second player, one once the one before is in place;
-// prints what the spectator sees; compares what the three got.
+// Starts a server, a player, a spectator, who may draw, and a second player, one once the one
+// before is in place; prints what the spectator sees; compares what the three got.
 #include "tools/demo/demo.h"
 
 #include "server/export.h"
@@ -33,9 +33,19 @@ using nlohmann::json;
 constexpr int kSignalBase = 128;        ///< As shells have it.
 constexpr std::size_t kTailLines = 20;  ///< Of a child that failed.
 
-enum class Part : std::size_t { Server, FirstPlayer, Spectator, SecondPlayer };
-constexpr std::array<const char*, 4> kPartNames{"the server", "the first player", "the spectator",
-                                                "the second player"};
+enum class Part : std::size_t { Server, FirstPlayer, Spectator, Painter, SecondPlayer };
+constexpr std::array<const char*, 5> kPartNames{"the server", "the first player", "the spectator",
+                                                "the painter", "the second player"};
+
+/// Of an earlier demonstration.
+void remove_pictures(const std::filesystem::path& folder) {
+    if (!std::filesystem::is_directory(folder)) return;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::filesystem::path& file = entry.path();
+        const bool is_ours = file.filename().string().starts_with("rack");
+        if (is_ours && file.extension() == ".png") std::filesystem::remove(file);
+    }
+}
 
 class Demo {
   public:
@@ -54,6 +64,7 @@ class Demo {
     void start_server();
     void start_player(Part part);
     void start_spectator();
+    void start_painter();
     void start(Part part, const std::vector<std::string>& command);
     std::vector<std::string> role_command(const std::string& role, const std::string& name) const;
     void heard(Part part, const std::string& line);
@@ -61,6 +72,8 @@ class Demo {
     void event(Part part, const json& event);
     void seated(Part part, const json& event);
     void closed(Part part);
+    void painter_closed();
+    std::filesystem::path program(const std::string& named, const char* beside) const;
     void conclude();
     void finish(int exit_code);
     void keep_match();
@@ -78,6 +91,8 @@ class Demo {
     std::string address_;
     std::uint32_t table_ = 0;
     std::optional<json> over_;
+    int pictures_ = 0;
+    bool paints_ = false;
     std::optional<int> exit_code_;
 };
 
@@ -104,12 +119,13 @@ int Demo::run() {
     return exit_code_.value_or(1);
 }
 
+std::filesystem::path Demo::program(const std::string& named, const char* beside) const {
+    return named.empty() ? self_.parent_path() / beside : std::filesystem::path(named);
+}
+
 void Demo::start_server() {
-    const std::filesystem::path program = options_.server_program.empty()
-                                              ? self_.parent_path() / "billiards-server"
-                                              : std::filesystem::path(options_.server_program);
-    start(Part::Server,
-          {program.string(), "--listen", "127.0.0.1:0", "--data", data_.path().string()});
+    start(Part::Server, {program(options_.server_program, "billiards-server").string(), "--listen",
+                         "127.0.0.1:0", "--data", data_.path().string()});
 }
 
 std::vector<std::string> Demo::role_command(const std::string& role,
@@ -140,6 +156,15 @@ void Demo::start_spectator() {
     command.push_back("--table");
     command.push_back(std::to_string(table_));
     start(Part::Spectator, command);
+}
+
+/// A spectator of its own, so that no drawing can disturb the match.
+void Demo::start_painter() {
+    paints_ = true;
+    remove_pictures(options_.pictures);
+    start(Part::Painter, {program(options_.window_program, "billiards").string(), "--offscreen",
+                          "--server", address_, "--table", std::to_string(table_), "--watch",
+                          "--name", "Painter", "--pictures", options_.pictures});
 }
 
 void Demo::start(Part part, const std::vector<std::string>& command) {
@@ -178,6 +203,7 @@ void Demo::event(Part part, const json& event) {
         std::cout << event["text"].get<std::string>() << std::endl;
         if (kind == "over") over_ = event;
     }
+    if (kind == "picture") ++pictures_;
     if (kind == "result") {
         child(part).result = event;
         conclude();
@@ -185,21 +211,37 @@ void Demo::event(Part part, const json& event) {
 }
 
 void Demo::seated(Part part, const json& event) {
-    if (part == Part::FirstPlayer && !child(Part::Spectator).process) {
+    const auto is_missing = [this](Part next) { return !child(next).process; };
+    if (part == Part::FirstPlayer && is_missing(Part::Spectator)) {
         table_ = event.value("table", 0U);
         start_spectator();
-    } else if (part == Part::Spectator && !child(Part::SecondPlayer).process) {
+    } else if (part == Part::Spectator && !options_.pictures.empty() && is_missing(Part::Painter)) {
+        start_painter();
+    } else if (part != Part::FirstPlayer && is_missing(Part::SecondPlayer)) {
         start_player(Part::SecondPlayer);
     }
 }
 
 void Demo::closed(Part part) {
     if (exit_code_ || child(part).result) return;
+    if (part == Part::Painter) return painter_closed();
     for (const std::string& line : child(part).tail) std::cerr << "  " << line << '\n';
     fail(fmt::format("{} ended too early", kPartNames.at(static_cast<std::size_t>(part))));
 }
 
+/// The match is played all the same.
+void Demo::painter_closed() {
+    const std::deque<std::string>& tail = child(Part::Painter).tail;
+    std::cout << fmt::format("no {}pictures: {}", pictures_ > 0 ? "more " : "",
+                             tail.empty() ? "their program ended" : tail.back())
+              << std::endl;
+    paints_ = false;
+    if (!child(Part::SecondPlayer).process) start_player(Part::SecondPlayer);
+    conclude();
+}
+
 void Demo::conclude() {
+    if (paints_ && !child(Part::Painter).result) return;
     std::vector<std::string> digests;
     std::set<std::string> same;
     for (const Part part : {Part::FirstPlayer, Part::Spectator, Part::SecondPlayer}) {
@@ -220,9 +262,10 @@ void Demo::conclude() {
         return fail(fmt::format("they did not see the same match: {}", fmt::join(digests, "; ")));
     }
     if (!over_) return fail("the spectator saw no end of the match");
-    std::cout << fmt::format("demo: 8-ball, race to {}, {} wins {}-{}, {} shots", options_.race_to,
-                             over_->value("winner", ""), over_->value("winner_racks", 0),
-                             over_->value("loser_racks", 0), over_->value("shots", 0))
+    std::cout << fmt::format("demo: 8-ball, race to {}, {} wins {}-{}, {} shots, {} pictures",
+                             options_.race_to, over_->value("winner", ""),
+                             over_->value("winner_racks", 0), over_->value("loser_racks", 0),
+                             over_->value("shots", 0), pictures_)
               << std::endl;
     finish(0);
 }

@@ -67,6 +67,10 @@ void add_demo(CLI::App& app, DemoOptions& options, std::string& connect) {
                    "The server program; without it, billiards-server beside this one");
     app.add_option("--connect", connect, "HOST:PORT of a server that runs already, instead")
         ->check(check_address);
+    app.add_option("--pictures", options.pictures,
+                   "Folder for pictures of each rack's break, middle and end; earlier ones go");
+    app.add_option("--window", options.window_program,
+                   "The program that draws them; without it, billiards beside this one");
     app.add_option("--keep", options.keep,
                    "File to leave the match in, as a replay; not with --connect");
     app.add_option("--think", options.think_s, "Seconds before each shot")

@@ -23,8 +23,10 @@ struct DemoOptions {
     std::uint64_t seed = 1;
     double think_s = 0.25;
     double unsteady_deg = kUnsteady_deg;
-    double limit_s = 300.0;  ///< After which it gives up.
-    std::string keep;        ///< File for the match as a replay; empty: it is forgotten.
+    double limit_s = 300.0;      ///< After which it gives up.
+    std::string window_program;  ///< Empty: billiards beside this program.
+    std::string pictures;        ///< Folder for pictures of the match; empty: none are drawn.
+    std::string keep;            ///< File for the match as a replay; empty: it is forgotten.
 };
 
 /// One role, at a server that runs already.
