@@ -41,6 +41,9 @@ inline void delete_texture(GLuint name) {
 inline void delete_framebuffer(GLuint name) {
     glDeleteFramebuffers(1, &name);
 }
+inline void delete_renderbuffer(GLuint name) {
+    glDeleteRenderbuffers(1, &name);
+}
 inline void delete_shader(GLuint name) {
     glDeleteShader(name);
 }
@@ -52,6 +55,7 @@ using GlBuffer = GlObject<delete_buffer>;
 using GlVertexArray = GlObject<delete_vertex_array>;
 using GlTexture = GlObject<delete_texture>;
 using GlFramebuffer = GlObject<delete_framebuffer>;
+using GlRenderbuffer = GlObject<delete_renderbuffer>;
 using GlShader = GlObject<delete_shader>;
 using GlProgram = GlObject<delete_program>;
 
@@ -74,6 +78,11 @@ inline GlFramebuffer make_framebuffer() {
     GLuint name = 0;
     glGenFramebuffers(1, &name);
     return GlFramebuffer(name);
+}
+inline GlRenderbuffer make_renderbuffer() {
+    GLuint name = 0;
+    glGenRenderbuffers(1, &name);
+    return GlRenderbuffer(name);
 }
 
 }  // namespace billiards::client

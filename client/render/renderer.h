@@ -1,12 +1,14 @@
 // Takes what is to be drawn and an eye; gives pixels.
 #pragma once
 
+#include "client/render/canvas.h"
 #include "client/render/gpu_mesh.h"
 #include "client/render/shader.h"
 #include "client/render/shadow_map.h"
 #include "client/scene/camera.h"
 #include "client/scene/scene.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <span>
@@ -23,12 +25,18 @@ struct Viewport {
     int height = 0;
 };
 
+/// Fine: smooth edges and wide soft shadows. Quick is for machines without a graphics card.
+enum class Quality : std::uint8_t { Fine, Quick };
+
+/// Quick where OpenGL is Mesa's software.
+Quality quality_of_driver();
+
 /// Holds every model and texture that it has drawn once.
 class Renderer {
   public:
     /// `assets` is the folder that Model's paths are relative to. Needs a current OpenGL context,
     /// as long as it lives. Throws CannotDraw.
-    explicit Renderer(std::filesystem::path assets);
+    Renderer(std::filesystem::path assets, Quality quality);
 
     /// Throws std::runtime_error with a sentence where a model or texture cannot be used.
     void draw(std::span<const Drawn> scene, const Camera& camera, const Viewport& viewport);
@@ -36,13 +44,21 @@ class Renderer {
   private:
     const std::vector<GpuMesh>& meshes_of(const Drawn& drawn);
     const GlTexture& texture_of(const Drawn& drawn);
-    void draw_depths(std::span<const Drawn> scene);
+    void draw_shadows(std::span<const Drawn> scene);
+    void draw_depths(std::span<const Drawn> scene, bool are_fixed);
     void draw_lit(std::span<const Drawn> scene, const Camera& camera, double aspect);
+    void draw_shades(std::span<const Drawn> scene, const Camera& camera, double aspect);
+    void draw_with(const Shader& shader, const Drawn& drawn);
 
     std::filesystem::path assets_;
+    Quality quality_;
     Shader lit_;
+    Shader shade_;
     Shader depth_;
+    ShadowMap fixed_shadows_;
     ShadowMap shadows_;
+    Canvas canvas_;
+    std::vector<Drawn> fixed_;                            ///< What fixed_shadows_ holds.
     std::map<std::string, std::vector<GpuMesh>> meshes_;  ///< By the path of the model.
     std::map<std::string, GlTexture> textures_;
 };

@@ -4,7 +4,7 @@
 namespace billiards::client {
 
 /// The lamp over the table is a rectangle; shadows come from a map of the depths that its middle
-/// sees.
+/// sees. A place is looked up there a little off its surface, which is not to shade itself.
 inline constexpr const char* kLitVertex = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -16,13 +16,14 @@ uniform mat4 lamp_view_projection;
 out vec3 world;
 out vec3 world_normal;
 out vec2 place;
-out vec4 in_lamp;
+out vec4 in_lamp_seen;
+const float kOffSurface_m = 0.0035;
 void main() {
     vec4 at = model * vec4(position, 1.0);
     world = at.xyz;
-    world_normal = model_normal * normal;
+    world_normal = normalize(model_normal * normal);
     place = uv;
-    in_lamp = lamp_view_projection * at;
+    in_lamp_seen = lamp_view_projection * (at + vec4(kOffSurface_m * world_normal, 0.0));
     gl_Position = view_projection * at;
 }
 )";
@@ -31,30 +32,50 @@ inline constexpr const char* kLitFragment = R"(#version 330 core
 in vec3 world;
 in vec3 world_normal;
 in vec2 place;
-in vec4 in_lamp;
+in vec4 in_lamp_seen;
 uniform sampler2D picture;
 uniform sampler2DShadow lamp_depths;
 uniform vec3 eye;
 uniform vec3 lamp;
+uniform vec3 half_lamp;
+uniform vec3 darkness;
 uniform float gloss;
+uniform bool is_fine;
 out vec4 color;
 
-const vec3 kLampLight = vec3(1.0, 0.95, 0.86) * 2.6;
-const vec3 kSky = vec3(0.30, 0.33, 0.40) * 0.55;
-const vec3 kGround = vec3(0.16, 0.12, 0.09) * 0.45;
+const vec3 kLampLight = vec3(1.0, 0.94, 0.84) * 1.75;
+const vec3 kSky = vec3(0.30, 0.32, 0.37) * 0.42;
+const vec3 kGround = vec3(0.15, 0.12, 0.10) * 0.40;
+const float kRoomBegins_m = 1.5;
+const float kRoomEnds_m = 5.2;
+
+float lit_at(vec3 in_lamp, vec2 offset) {
+    vec2 texel = 1.0 / vec2(textureSize(lamp_depths, 0));
+    return texture(lamp_depths, vec3(in_lamp.xy + offset * texel, in_lamp.z));
+}
 
 // The part of the lamp that a place sees: 1 in its light, 0 in shadow, soft at the rim.
 float lit_part() {
-    vec3 at = in_lamp.xyz / in_lamp.w * 0.5 + 0.5;
-    if (any(lessThan(at, vec3(0.0))) || any(greaterThan(at, vec3(1.0)))) return 1.0;
-    float step = 1.1 / float(textureSize(lamp_depths, 0).x);
+    vec3 in_lamp = in_lamp_seen.xyz / in_lamp_seen.w * 0.5 + 0.5;
+    if (any(lessThan(in_lamp, vec3(0.0))) || any(greaterThan(in_lamp, vec3(1.0)))) return 1.0;
     float sum = 0.0;
-    for (int x = -1; x <= 1; ++x) {
-        for (int y = -1; y <= 1; ++y) {
-            sum += texture(lamp_depths, vec3(at.xy + vec2(x, y) * step, at.z - 0.0006));
-        }
+    if (!is_fine) {
+        for (int i = 0; i < 4; ++i) sum += lit_at(in_lamp, vec2(i & 1, i >> 1) * 1.6 - 0.8);
+        return sum / 4.0;
     }
-    return sum / 9.0;
+    for (int i = 0; i < 25; ++i) sum += lit_at(in_lamp, vec2(i % 5, i / 5) * 1.7 - 3.4);
+    return sum / 25.0;
+}
+
+// What a polished place sees of the lamp and of the room by its reflection.
+vec3 reflected(vec3 n, vec3 to_eye) {
+    vec3 way = reflect(-to_eye, n);
+    vec2 on_lamp = world.xy + way.xy * (lamp.z - world.z) / max(way.z, 0.02);
+    vec2 outside = abs(on_lamp) - half_lamp.xy;
+    vec2 soft = vec2(mix(0.55, 0.05, gloss));
+    vec2 within = 1.0 - smoothstep(-soft, soft, outside);
+    float sees_lamp = within.x * within.y * step(0.0, way.z);
+    return mix(kGround, kSky, way.z * 0.5 + 0.5) + kLampLight * 3.2 * sees_lamp;
 }
 
 // Bright light does not clip but fades to white; then the screen's gamma.
@@ -66,20 +87,35 @@ void main() {
     vec3 base = texture(picture, place).rgb;
     vec3 n = normalize(world_normal);
     vec3 to_eye = normalize(eye - world);
-    vec3 to_lamp = lamp - world;
-    float distance = length(to_lamp);
-    to_lamp /= distance;
+    // The nearest place of the lamp: it lights the whole length of the table alike.
+    vec3 to_lamp = vec3(clamp(world.xy, -half_lamp.xy, half_lamp.xy), lamp.z) - world;
+    float distance_2 = dot(to_lamp, to_lamp);
+    to_lamp *= inversesqrt(distance_2);
 
-    float fall_off = 1.0 / (0.35 + 0.5 * distance * distance);
     float facing = max(dot(n, to_lamp), 0.0);
     float lit = facing > 0.0 ? lit_part() : 0.0;
     vec3 around = mix(kGround, kSky, n.z * 0.5 + 0.5);
+    vec3 light = base * (around + kLampLight * facing * lit / (0.25 + 0.55 * distance_2));
 
-    vec3 half_way = normalize(to_lamp + to_eye);
-    float shine = gloss * pow(max(dot(n, half_way), 0.0), mix(24.0, 220.0, gloss)) * lit;
-    float rim = gloss * 0.22 * pow(1.0 - max(dot(n, to_eye), 0.0), 4.0);
-    vec3 light = base * (around + kLampLight * facing * lit * fall_off);
-    color = vec4(as_shown(light + kLampLight * shine * 0.5 + kSky * rim), 1.0);
+    float fresnel = 1.0 - max(dot(n, to_eye), 0.0);
+    fresnel *= fresnel;
+    fresnel *= fresnel;
+    if (gloss > 0.1) {
+        float mirror = gloss * (0.05 + 0.6 * fresnel);
+        light += mirror * reflected(n, to_eye) * mix(0.35, 1.0, lit);
+    }
+    float away = smoothstep(kRoomBegins_m, kRoomEnds_m, length(world.xy));
+    color = vec4(mix(as_shown(light), darkness, away), 1.0);
+}
+)";
+
+/// For pictures that darken what lies under them: drawn by multiplication.
+inline constexpr const char* kShadeFragment = R"(#version 330 core
+in vec2 place;
+uniform sampler2D picture;
+out vec4 color;
+void main() {
+    color = vec4(pow(texture(picture, place).rgb, vec3(1.0 / 2.2)), 1.0);
 }
 )";
 

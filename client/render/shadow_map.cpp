@@ -27,16 +27,27 @@ void ShadowMap::begin() const {
     glClear(GL_DEPTH_BUFFER_BIT);
 }
 
+void ShadowMap::begin_with(const ShadowMap& other) const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, other.frame_.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame_.name());
+    glBlitFramebuffer(0, 0, pixels_, pixels_, 0, 0, pixels_, pixels_, GL_DEPTH_BUFFER_BIT,
+                      GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
+    glViewport(0, 0, pixels_, pixels_);
+}
+
 void ShadowMap::bind_texture(GLenum unit) const {
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_2D, depths_.name());
 }
 
-glm::mat4 lamp_view_projection(const glm::vec3& lamp, float half_length_m) {
+glm::mat4 lamp_view_projection(const glm::vec3& lamp, const glm::vec2& half_table_m) {
     constexpr float kNear_m = 0.4F;
     constexpr float kBelowBed_m = 0.4F;
-    const float half_angle = glm::atan((half_length_m + 0.25F) / lamp.z);
-    return glm::perspective(2 * half_angle, 1.0F, kNear_m, lamp.z + kBelowBed_m) *
+    constexpr float kAround_m = 0.25F;
+    const glm::vec2 half_m = half_table_m + kAround_m;
+    return glm::perspective(2 * glm::atan(half_m.y / lamp.z), half_m.x / half_m.y, kNear_m,
+                            lamp.z + kBelowBed_m) *
            glm::lookAt(lamp, glm::vec3(lamp.x, lamp.y, 0.0F), glm::vec3(0.0F, 1.0F, 0.0F));
 }
 

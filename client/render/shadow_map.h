@@ -11,8 +11,10 @@ class ShadowMap {
   public:
     explicit ShadowMap(int pixels);
 
-    /// Everything drawn from now on goes into the map, until another frame buffer is bound.
+    /// Everything drawn from now on goes into the empty map, until another frame buffer is bound.
     void begin() const;
+    /// The same, on top of what `other` holds; both have one size.
+    void begin_with(const ShadowMap& other) const;
     /// For a shader's sampler2DShadow at this texture unit.
     void bind_texture(GLenum unit) const;
 
@@ -23,6 +25,6 @@ class ShadowMap {
 };
 
 /// What a lamp at `lamp` above the middle of the table sees of it.
-glm::mat4 lamp_view_projection(const glm::vec3& lamp, float half_length_m);
+glm::mat4 lamp_view_projection(const glm::vec3& lamp, const glm::vec2& half_table_m);
 
 }  // namespace billiards::client

@@ -45,7 +45,7 @@ void turn_over(SDL_Surface& surface) {
 
 }  // namespace
 
-GlTexture load_texture(const std::filesystem::path& bmp) {
+GlTexture load_texture(const std::filesystem::path& bmp, bool is_fine) {
     const Surface surface = read(bmp);
     turn_over(*surface);
     GlTexture texture = make_texture();
@@ -55,6 +55,9 @@ GlTexture load_texture(const std::filesystem::path& bmp) {
     glGenerateMipmap(GL_TEXTURE_2D);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    if (is_fine && epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic")) {
+        glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 8.0F);
+    }
     return texture;
 }
 

@@ -7,8 +7,9 @@
 
 namespace billiards::client {
 
-/// With mipmaps, repeating. Throws std::runtime_error with a sentence where the file cannot be
-/// read, or is not within bitmap_limits.h.
-GlTexture load_texture(const std::filesystem::path& bmp);
+/// With mipmaps, repeating; fine ones stay sharp where they are seen from the side. Throws
+/// std::runtime_error with a sentence where the file cannot be read, or is not within
+/// bitmap_limits.h.
+GlTexture load_texture(const std::filesystem::path& bmp, bool is_fine);
 
 }  // namespace billiards::client

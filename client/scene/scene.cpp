@@ -38,7 +38,16 @@ std::string_view name_of(model::TableSize size) {
 Drawn part_of(model::TableSize size, std::string_view part, float gloss) {
     return {.model = {fmt::format("models/table_{}_{}.3ds", name_of(size), part),
                       fmt::format("textures/{}.bmp", part)},
-            .gloss = gloss};
+            .gloss = gloss,
+            .is_fixed = true};
+}
+
+Drawn shade_of(model::TableSize size) {
+    return {.model = {fmt::format("models/table_{}_shade.3ds", name_of(size)),
+                      "textures/table_shade.bmp"},
+            .casts_shadow = false,
+            .is_fixed = true,
+            .is_shade = true};
 }
 
 /// How far it is from a place on the bed to the noses' rectangle, in a direction.
@@ -86,10 +95,13 @@ base::Vec3 contact_m(const HeldCue& cue, double elevation_rad) {
 std::vector<Drawn> drawn_table(model::TableSize size) {
     return {{.model = {"models/floor.3ds", "textures/floor.bmp"},
              .gloss = kFloorboards,
-             .casts_shadow = false},
+             .casts_shadow = false,
+             .is_fixed = true},
             part_of(size, "cloth", kCloth),
+            part_of(size, "cushion", kCloth),
             part_of(size, "wood", kPolishedWood),
-            part_of(size, "fittings", kLeatherAndPearl)};
+            part_of(size, "fittings", kLeatherAndPearl),
+            shade_of(size)};
 }
 
 Drawn drawn_ball(const ShownBall& ball, const glm::dquat& orientation, Detail detail) {
@@ -101,6 +113,21 @@ Drawn drawn_ball(const ShownBall& ball, const glm::dquat& orientation, Detail de
             .transform = glm::mat4(place * glm::mat4_cast(orientation) *
                                    glm::scale(glm::dmat4(1.0), glm::dvec3(ball.radius_m))),
             .gloss = kBall};
+}
+
+std::optional<Drawn> drawn_shade(const ShownBall& ball) {
+    constexpr double kWidth = 1.35;           // Of the picture's half side, in radii.
+    constexpr double kAboveCloth_m = 0.0004;  // And above the table's shade.
+    const base::Vec3& at_m = ball.state.position_m;
+    const double height_m = at_m.z - ball.radius_m;
+    if (height_m < -kAboveCloth_m || height_m > ball.radius_m) return std::nullopt;
+    const double half_side_m = kWidth * (ball.radius_m - height_m);
+    const glm::dmat4 place =
+        glm::translate(glm::dmat4(1.0), base::Vec3(at_m.x, at_m.y, kAboveCloth_m));
+    return Drawn{.model = {"models/ball_shade.3ds", "textures/ball_shade.bmp"},
+                 .transform = glm::mat4(glm::scale(place, glm::dvec3(half_side_m))),
+                 .casts_shadow = false,
+                 .is_shade = true};
 }
 
 Drawn drawn_cue(const HeldCue& cue, const model::TableSpec& table) {
@@ -123,6 +150,9 @@ std::vector<Drawn> scene_of(model::TableSize size, std::span<const ShownBall> ba
         scene.push_back(drawn_ball(ball, orientations.of(ball.ball), detail));
     }
     if (cue) scene.push_back(drawn_cue(*cue, model::table_of(size)));
+    for (const ShownBall& ball : balls) {
+        if (auto shade = drawn_shade(ball)) scene.push_back(*std::move(shade));
+    }
     return scene;
 }
 

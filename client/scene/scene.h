@@ -25,6 +25,8 @@ struct Drawn {
     glm::mat4 transform{1.0F};
     float gloss = 0.0F;  ///< 0 dull as cloth, 1 as polished as a ball.
     bool casts_shadow = true;
+    bool is_fixed = false;  ///< The same in every frame, as long as the table is.
+    bool is_shade = false;  ///< Unlit; its picture darkens what lies under it.
 
     friend bool operator==(const Drawn&, const Drawn&) = default;
 };
@@ -45,11 +47,16 @@ std::vector<Drawn> drawn_table(model::TableSize size);
 /// A ball, turned as it is. Ids above 15 have the object balls' pictures again.
 Drawn drawn_ball(const ShownBall& ball, const glm::dquat& orientation, Detail detail);
 
+/// The dark spot on the cloth under a ball, smaller the higher it is; none where it is far
+/// above the bed or below it.
+std::optional<Drawn> drawn_shade(const ShownBall& ball);
+
 /// The tip is where the shot's offsets say. The butt is raised as far as the shot says, and for
 /// the eye as far as the cue needs to clear the rail behind it.
 Drawn drawn_cue(const HeldCue& cue, const model::TableSpec& table);
 
-/// All of it: the table, the balls as `orientations` has them turned, the cue where there is one.
+/// All of it, shades last: the table, the balls as `orientations` has them turned, the cue where
+/// there is one.
 std::vector<Drawn> scene_of(model::TableSize size, std::span<const ShownBall> balls,
                             const Orientations& orientations, const std::optional<HeldCue>& cue,
                             Detail detail = Detail::Fine);

@@ -39,35 +39,41 @@ void add_tables(std::vector<Asset>& assets) {
             return fmt::format("table_{}_{}", name, of);
         };
         add_model(assets, part("cloth"), cloth_meshes(table), "cloth.bmp");
+        add_model(assets, part("cushion"), cushion_meshes(table), "cushion.bmp");
+        add_model(assets, part("shade"), shade_meshes(table), "table_shade.bmp");
         add_model(assets, part("wood"), wood_meshes(table), "wood.bmp");
         add_model(assets, part("fittings"), fitting_meshes(table), "fittings.bmp");
     }
     add_texture(assets, "cloth", cloth_picture());
+    add_texture(assets, "cushion", cushion_picture());
+    add_texture(assets, "table_shade", table_shade_picture());
     add_texture(assets, "wood", wood_picture());
     add_texture(assets, "fittings", fittings_picture());
 }
 
-/// The models name the cue ball's picture; each ball is drawn with its own.
-void add_balls(std::vector<Asset>& assets) {
-    add_model(assets, "ball", {ball_mesh(32, 30)}, "ball_00.bmp");
-    add_model(assets, "ball_low", {ball_mesh(20, 13)}, "ball_00.bmp");
-    for (int number = 0; number <= 15; ++number) {
-        add_texture(assets, fmt::format("ball_{:02}", number), ball_picture(number));
-    }
-}
-
-Mesh floor_mesh() {
-    constexpr double kTile_m = 1.6;
-    const double half = client::kHalfRoom_m;
+Mesh plate(const std::string& name, double half_side, double height_m, const base::Vec2& tile) {
     Row outline;
     for (const base::Vec2 corner :
          {base::Vec2(-1, -1), base::Vec2(1, -1), base::Vec2(1, 1), base::Vec2(-1, 1)}) {
-        outline.push_back({base::Vec3(half * corner, client::kFloor_m),
-                           half * corner / base::Vec2(2 * kTile_m, kTile_m)});
+        outline.push_back({base::Vec3(half_side * corner, height_m), half_side * corner / tile});
     }
-    Mesh mesh{.name = "floor", .vertices = {}, .indices = {}};
+    Mesh mesh{.name = name, .vertices = {}, .indices = {}};
     add_plate(mesh, outline);
     return mesh;
+}
+
+/// The models name the cue ball's picture; each ball is drawn with its own. The shade at a ball's
+/// foot is a square of side 2; its picture lies around the middle.
+void add_balls(std::vector<Asset>& assets) {
+    add_model(assets, "ball", {ball_mesh(32, 30)}, "ball_00.bmp");
+    add_model(assets, "ball_low", {ball_mesh(20, 13)}, "ball_00.bmp");
+    Mesh shade = plate("shade", 1.0, 0.0, {2.0, 2.0});
+    for (client::Vertex& vertex : shade.vertices) vertex.uv += 0.5F;
+    add_model(assets, "ball_shade", {shade}, "ball_shade.bmp");
+    add_texture(assets, "ball_shade", ball_shade_picture());
+    for (int number = 0; number <= 15; ++number) {
+        add_texture(assets, fmt::format("ball_{:02}", number), ball_picture(number));
+    }
 }
 
 }  // namespace
@@ -78,7 +84,8 @@ std::vector<Asset> all_assets() {
     add_balls(assets);
     add_model(assets, "cue", {cue_mesh()}, "cue.bmp");
     add_texture(assets, "cue", cue_picture());
-    add_model(assets, "floor", {floor_mesh()}, "floor.bmp");
+    add_model(assets, "floor", {plate("floor", client::kHalfRoom_m, client::kFloor_m, {3.2, 1.6})},
+              "floor.bmp");
     add_texture(assets, "floor", floor_picture());
     return assets;
 }

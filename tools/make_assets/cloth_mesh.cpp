@@ -1,5 +1,5 @@
-// Takes a table's plan; gives its bed, its cushions by their profile, and the cloth that goes over
-// the edge of the slate.
+// Takes a table's plan; gives its bed, its cushions by their profile, the cloth that goes over the
+// edge of the slate, and the shade under the noses.
 #include "common/base/elementary.h"
 #include "tools/make_assets/surface.h"
 #include "tools/make_assets/table_mesh.h"
@@ -36,6 +36,9 @@ constexpr std::array<ProfileLine, 8> kNose{{{0.0020, -0.0048},
                                             {0.0014, 0.0025},
                                             {0.0022, 0.0028}}};
 constexpr double kUndercut_m = 0.014;  ///< How far the rubber's foot lies behind its nose.
+/// The shade under a nose reaches as far in front of it; over the cloth by less than a spot.
+constexpr double kShade_m = 0.042;
+constexpr double kShadeAboveCloth_m = 0.0002;
 
 Vec2 behind(const EdgePoint& point, double inset_m) {
     return point.place_m + inset_m * point.normal;
@@ -125,6 +128,21 @@ void add_back(Mesh& mesh, const TablePlan& plan, const RailPlan& rail) {
     add_sheet(mesh, {low, high});
 }
 
+/// From the rubber's foot out over the bed, narrow where the outline turns into a pocket.
+void add_shade(Mesh& mesh, const RailPlan& rail) {
+    Row behind_nose;
+    Row before_nose;
+    for (auto point = rail.nose.rbegin(); point != rail.nose.rend(); ++point) {
+        const double straight = std::max(0.0, facing_table(rail, *point));
+        const auto place = [&](double inset_m) {
+            return Vec3(behind(*point, inset_m), kShadeAboveCloth_m);
+        };
+        behind_nose.push_back({place(straight * kUndercut_m), {0.5, 0.5}});
+        before_nose.push_back({place(-straight * kShade_m), {0.5, 1.0}});
+    }
+    add_sheet(mesh, {before_nose, behind_nose});
+}
+
 Mesh bed_of(const TablePlan& plan) {
     Mesh mesh{.name = "bed", .vertices = {}, .indices = {}};
     Row outline;
@@ -152,15 +170,27 @@ void add_lip(Mesh& mesh, const PocketPlan& pocket) {
 
 std::vector<Mesh> cloth_meshes(const model::TableSpec& table) {
     const TablePlan plan = plan_of(table);
+    Mesh lips{.name = "lips", .vertices = {}, .indices = {}};
+    for (const PocketPlan& pocket : plan.pockets) add_lip(lips, pocket);
+    return {bed_of(plan), lips};
+}
+
+std::vector<Mesh> cushion_meshes(const model::TableSpec& table) {
+    const TablePlan plan = plan_of(table);
     Mesh cushions{.name = "cushions", .vertices = {}, .indices = {}};
     Mesh backs{.name = "backs", .vertices = {}, .indices = {}};
-    Mesh lips{.name = "lips", .vertices = {}, .indices = {}};
     for (const RailPlan& rail : plan.rails) {
         add_cushion(cushions, plan, rail);
         add_back(backs, plan, rail);
     }
-    for (const PocketPlan& pocket : plan.pockets) add_lip(lips, pocket);
-    return {bed_of(plan), cushions, backs, lips};
+    return {cushions, backs};
+}
+
+std::vector<Mesh> shade_meshes(const model::TableSpec& table) {
+    const TablePlan plan = plan_of(table);
+    Mesh shade{.name = "shade", .vertices = {}, .indices = {}};
+    for (const RailPlan& rail : plan.rails) add_shade(shade, rail);
+    return {shade};
 }
 
 }  // namespace billiards::make_assets

@@ -4,14 +4,18 @@
 #include "common/base/elementary.h"
 #include "tools/make_assets/noise.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace billiards::make_assets {
 
 namespace {
 
-constexpr Colour kClothDark{0.012, 0.315, 0.215};
-constexpr Colour kClothLight{0.035, 0.430, 0.300};
+constexpr Colour kClothDark{0.010, 0.262, 0.180};
+constexpr Colour kClothLight{0.030, 0.372, 0.262};
+/// The cushions' cloth is stretched, and a little darker.
+constexpr double kStretched = 0.84;
 constexpr Colour kWoodDark{0.165, 0.062, 0.030};
 constexpr Colour kWoodLight{0.455, 0.205, 0.095};
 constexpr Colour kFloorDark{0.150, 0.098, 0.066};
@@ -27,14 +31,42 @@ double off_seam(double place, double width) {
     return std::clamp(from_seam / width, 0.0, 1.0);
 }
 
+Colour cloth_at(double u, double v) {
+    const double warp = noise(u, v, 16, 256, 11);
+    const double weft = noise(u, v, 256, 16, 12);
+    const double fluff = noise(u, v, 256, 256, 13);
+    return mixed(kClothDark, kClothLight, 0.25 * warp + 0.25 * weft + 0.5 * fluff);
+}
+
+/// 0 to 1, without an edge at either end.
+double smooth(double share) {
+    const double within = std::clamp(share, 0.0, 1.0);
+    return within * within * (3.0 - 2.0 * within);
+}
+
 }  // namespace
 
 Picture cloth_picture() {
-    return draw(512, 512, [](double u, double v) {
-        const double warp = noise(u, v, 16, 256, 11);
-        const double weft = noise(u, v, 256, 16, 12);
-        const double fluff = noise(u, v, 256, 256, 13);
-        return mixed(kClothDark, kClothLight, 0.25 * warp + 0.25 * weft + 0.5 * fluff);
+    return draw(512, 512, cloth_at);
+}
+
+Picture cushion_picture() {
+    return draw(512, 512, [](double u, double v) { return kStretched * cloth_at(u, v); });
+}
+
+Picture ball_shade_picture() {
+    constexpr double kDarkest = 0.22;
+    return draw(64, 64, [](double u, double v) {
+        const double out = 2.0 * glm::length(base::Vec2(u - 0.5, v - 0.5));
+        return Colour(kDarkest + (1.0 - kDarkest) * smooth((out - 0.1) / 0.85));
+    });
+}
+
+Picture table_shade_picture() {
+    constexpr double kDarkest = 0.38;
+    return draw(4, 128, [](double, double v) {
+        const double out = 2.0 * std::fabs(v - 0.5);
+        return Colour(kDarkest + (1.0 - kDarkest) * smooth((out + 0.12) / 1.1));
     });
 }
 

@@ -52,11 +52,29 @@ TEST(Scene, EveryObjectCanBeLoaded) {
     }
 }
 
-TEST(Scene, HoldsTheTableTheBallsAndTheCue) {
+TEST(Scene, HoldsTheTableTheBallsWithTheirShadesAndTheCue) {
     const std::vector balls{ball_at(0, {0, 0, kRadius_m}), ball_at(8, {0.5, 0, kRadius_m})};
     const std::size_t table_parts = drawn_table(TableSize::EightFoot).size();
-    EXPECT_EQ(scene_of(TableSize::EightFoot, balls, {}, std::nullopt).size(), table_parts + 2);
-    EXPECT_EQ(scene_of(TableSize::EightFoot, balls, {}, HeldCue{}).size(), table_parts + 3);
+    EXPECT_EQ(scene_of(TableSize::EightFoot, balls, {}, std::nullopt).size(), table_parts + 4);
+    EXPECT_EQ(scene_of(TableSize::EightFoot, balls, {}, HeldCue{}).size(), table_parts + 5);
+}
+
+TEST(DrawnShade, LiesOnTheClothUnderItsBallAndShrinksWithItsHeight) {
+    const Vec3 place{0.4, -0.2, kRadius_m};
+    const Vec3 above{0.4, -0.2, 1.5 * kRadius_m};
+    const auto resting = drawn_shade(ball_at(1, place));
+    const auto hopping = drawn_shade(ball_at(1, above));
+    ASSERT_TRUE(resting && hopping);
+    EXPECT_TRUE(resting->is_shade);
+    const Vec3 middle = placed(*resting, {0, 0, 0});
+    EXPECT_LT(glm::distance(middle, Vec3(place.x, place.y, 0.0)), 0.001);
+    EXPECT_LT(glm::distance(placed(*hopping, {1, 0, 0}), middle),
+              glm::distance(placed(*resting, {1, 0, 0}), middle));
+}
+
+TEST(DrawnShade, IsNotThereUnderABallThatDropsOrFlies) {
+    EXPECT_FALSE(drawn_shade(ball_at(1, {0.4, -0.2, 0.0})));
+    EXPECT_FALSE(drawn_shade(ball_at(1, {0.4, -0.2, 3 * kRadius_m})));
 }
 
 TEST(DrawnBall, HasItsOwnPicturePlaceAndSize) {

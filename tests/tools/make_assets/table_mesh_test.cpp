@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(All, DrawnTable,
                                            TableSize::NineFoot));
 
 TEST_P(DrawnTable, HasANoseAtBothEndsOfEveryCushionSegment) {
-    const auto meshes = cloth_meshes(table());
+    const auto meshes = cushion_meshes(table());
     for (const model::CushionSegment& segment : table().cushions) {
         EXPECT_TRUE(has_vertex(named(meshes, "cushions"), segment.from_m, table().nose_height_m));
         EXPECT_TRUE(has_vertex(named(meshes, "cushions"), segment.to_m, table().nose_height_m));
@@ -54,7 +54,7 @@ TEST_P(DrawnTable, HasANoseAtBothEndsOfEveryCushionSegment) {
 }
 
 TEST_P(DrawnTable, RoundsItsJawsOnTheirArcs) {
-    const auto meshes = cloth_meshes(table());
+    const auto meshes = cushion_meshes(table());
     for (const model::JawArc& jaw : table().jaws) {
         int on_arc = 0;
         for (const client::Vertex& vertex : named(meshes, "cushions").vertices) {
@@ -69,7 +69,7 @@ TEST_P(DrawnTable, RoundsItsJawsOnTheirArcs) {
 }
 
 TEST_P(DrawnTable, NoRubberStandsInTheWayOfABallAtNoseHeight) {
-    const auto meshes = cloth_meshes(table());
+    const auto meshes = cushion_meshes(table());
     const Vec2 half = table().half_playing_m;
     for (const client::Vertex& vertex : named(meshes, "cushions").vertices) {
         const Vec2 place = glm::abs(seen_from_above(vertex));
@@ -154,15 +154,25 @@ TEST_P(DrawnTable, HasEighteenSights) {
 }
 
 TEST_P(DrawnTable, FacesUpWhereItIsSeenFromAbove) {
-    auto cloth = cloth_meshes(table());
-    client::average_normals(cloth.front());
-    for (const client::Vertex& vertex : cloth.front().vertices) {
-        EXPECT_FLOAT_EQ(vertex.normal.z, 1.0F);
+    Mesh bed = cloth_meshes(table()).front();
+    Mesh shade = shade_meshes(table()).front();
+    for (Mesh* mesh : {&bed, &shade}) {
+        client::average_normals(*mesh);
+        for (const client::Vertex& vertex : mesh->vertices) {
+            EXPECT_FLOAT_EQ(vertex.normal.z, 1.0F) << mesh->name;
+        }
+    }
+}
+
+TEST_P(DrawnTable, ShadesTheBedJustAboveIt) {
+    for (const client::Vertex& vertex : shade_meshes(table()).front().vertices) {
+        EXPECT_GT(vertex.position_m.z, 0.0F);
+        EXPECT_LT(vertex.position_m.z, 0.0003F);
     }
 }
 
 TEST_P(DrawnTable, StaysWhatItIsWhenTurnedByHalfATurn) {
-    const auto meshes = cloth_meshes(table());
+    const auto meshes = cushion_meshes(table());
     const Mesh& cushions = named(meshes, "cushions");
     for (const client::Vertex& vertex : cushions.vertices) {
         EXPECT_TRUE(has_vertex(cushions, -seen_from_above(vertex), vertex.position_m.z));
