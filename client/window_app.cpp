@@ -57,7 +57,6 @@ WindowApp::WindowApp(const WindowAppOptions& options)
       quality_(options.window.is_offscreen ? Quality::Fine : quality_of_driver()),
       renderer_(options.assets, quality_),
       screen_(options.seed, options.data) {
-    screen_.letters = set_look();
     screen_.menu.name = options.name;
     if (!options.report.empty()) {
         report_.open(options.report);
@@ -131,6 +130,7 @@ void WindowApp::take_key(const SDL_KeyboardEvent& key) {
 void WindowApp::draw_frame() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplSDL2_NewFrame();
+    fit_look();
     ImGui::NewFrame();
     screen_.controls.start_frame();
     const bool menu_was_open = screen_.menu.is_open;
@@ -143,6 +143,15 @@ void WindowApp::draw_frame() {
     const Window::Size size = window_.drawable_size();
     glViewport(0, 0, size.width, size.height);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void WindowApp::fit_look() {
+    const float scale = interface_scale(ImGui::GetIO().DisplaySize.y);
+    if (scale == screen_.scale) return;
+    screen_.scale = scale;
+    screen_.letters = set_look(scale);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
 void WindowApp::draw_table() {

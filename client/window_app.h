@@ -57,6 +57,8 @@ class WindowApp {
     void take_events();
     void take_key(const SDL_KeyboardEvent& key);
     void draw_frame();
+    /// Letters and lengths follow the window's height.
+    void fit_look();
     void draw_table();
     std::vector<Drawn> scene();
     void look_at(const std::vector<ShownBall>& balls);

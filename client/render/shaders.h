@@ -44,8 +44,8 @@ uniform bool is_fine;
 out vec4 color;
 
 const vec3 kLampLight = vec3(1.0, 0.94, 0.84) * 1.75;
-const vec3 kSky = vec3(0.30, 0.32, 0.37) * 0.42;
-const vec3 kGround = vec3(0.15, 0.12, 0.10) * 0.40;
+const vec3 kSky = vec3(0.30, 0.32, 0.36) * 0.50;
+const vec3 kGround = vec3(0.13, 0.15, 0.12) * 0.95;
 const float kRoomBegins_m = 1.5;
 const float kRoomEnds_m = 5.2;
 

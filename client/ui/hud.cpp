@@ -7,6 +7,7 @@
 #include "client/ui/hands.h"
 #include "common/model/table_spec.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
@@ -22,6 +23,8 @@ constexpr ImU32 kRed = IM_COL32(235, 70, 55, 235);
 constexpr ImU32 kGold = IM_COL32(240, 190, 90, 235);
 constexpr double kObjectLine_m = 0.35;
 constexpr int kLowTime_s = 10;
+constexpr float kStripMargin = 10.0F;  ///< Between a strip and the window's edge.
+constexpr float kChoicesFromTop = 92.0F;
 
 double radius_m() {
     return model::BallSpec{}.radius_m;
@@ -99,15 +102,20 @@ void draw_call(const Screen& screen, const match::MatchState& match, const OnTab
     }
 }
 
-/// A strip of its own, in the middle of the table's upper edge.
-bool begin_strip(const Screen& screen, const char* name, float from_top) {
+/// A strip of its own, in the middle of the table; words alone let the mouse through to the balls.
+bool begin_strip(const Screen& screen, const char* name, float from_top,
+                 ImGuiWindowFlags flags = ImGuiWindowFlags_NoInputs) {
     const float middle = screen.table_width(ImGui::GetIO().DisplaySize.x) / 2;
     ImGui::SetNextWindowPos({middle, from_top}, ImGuiCond_Always, {0.5F, 0.0F});
     ImGui::SetNextWindowBgAlpha(0.72F);
-    return ImGui::Begin(name, nullptr,
-                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                            ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing |
-                            ImGuiWindowFlags_NoNav);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8.0F * screen.scale);
+    const bool is_open =
+        ImGui::Begin(name, nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing |
+                         ImGuiWindowFlags_NoNav | flags);
+    ImGui::PopStyleVar();
+    return is_open;
 }
 
 std::string player_line(const TableView& table, model::Seat seat) {
@@ -119,33 +127,63 @@ std::string player_line(const TableView& table, model::Seat seat) {
     return line;
 }
 
-void draw_score(Screen& screen, const TableView& table) {
-    begin_strip(screen, "score", 10.0F);
-    ImGui::PushFont(screen.letters.large);
+struct Piece {
+    std::string text;
+    ImVec4 color;
+};
+
+float width_of(const std::string& text) {
+    return ImGui::CalcTextSize(text.c_str()).x;
+}
+
+void put(float left, const Piece& piece) {
+    ImGui::SameLine(left);
+    ImGui::TextColored(piece.color, "%s", piece.text.c_str());
+}
+
+/// The score in the middle, the players on both sides of it, the clock at the right.
+void draw_players(const Screen& screen, const TableView& table, float least_width) {
     const bool is_playing = table.match && table.match->stage != match::Stage::Over;
     const auto player = [&](model::Seat seat) {
         const bool acts = is_playing && table.match->to_act == seat;
-        ImGui::TextColored(acts ? colors::kAccent : colors::kText, "%s",
-                           player_line(table, seat).c_str());
+        return Piece{player_line(table, seat), acts ? colors::kAccent : colors::kText};
     };
+    const Piece first = player(model::Seat::First);
+    const Piece second = player(model::Seat::Second);
     const model::PerSeat<int>& racks = table.match ? table.match->racks_won : table.row.racks_won;
-    player(model::Seat::First);
-    ImGui::SameLine();
-    ImGui::Text("  %d : %d  ", racks[model::Seat::First], racks[model::Seat::Second]);
-    ImGui::SameLine();
-    player(model::Seat::Second);
-    if (const auto left = seconds_left(screen.game, screen.now)) {
-        ImGui::SameLine();
-        ImGui::TextColored(*left <= kLowTime_s ? colors::kWarning : colors::kQuiet, "   %d s",
-                           *left);
-    }
+    const Piece score{fmt::format("{} : {}", racks[model::Seat::First], racks[model::Seat::Second]),
+                      colors::kText};
+    const auto left_s = seconds_left(screen.game, screen.now);
+    const Piece clock{left_s ? fmt::format("{} s", *left_s) : "",
+                      left_s && *left_s <= kLowTime_s ? colors::kWarning : colors::kQuiet};
+
+    const float gap = 18.0F * screen.scale;
+    const float clock_width = left_s ? width_of("000 s") + gap : 0.0F;
+    const float side = std::max(width_of(first.text), width_of(second.text)) + gap + clock_width;
+    const float padding = ImGui::GetStyle().WindowPadding.x;
+    const float half = std::max(side + width_of(score.text) / 2, least_width / 2);
+    const float middle = padding + half;
+    const float half_score = width_of(score.text) / 2;
+    ImGui::Dummy({2 * half, 0.0F});
+    put(middle - half_score - gap - width_of(first.text), first);
+    put(middle - half_score, score);
+    put(middle + half_score + gap, second);
+    if (left_s) put(padding + 2 * half - width_of(clock.text), clock);
+}
+
+/// Who plays, and below what follows.
+void draw_score(Screen& screen, const TableView& table) {
+    const std::string next = what_follows(screen.game);
+    const float next_width = width_of(next);
+    begin_strip(screen, "score", kStripMargin * screen.scale);
+    ImGui::PushFont(screen.letters.large);
+    draw_players(screen, table, next_width);
     ImGui::PopFont();
-    ImGui::End();
-    if (std::string next = what_follows(screen.game); !next.empty()) {
-        begin_strip(screen, "next", 58.0F);
+    if (!next.empty()) {
+        ImGui::SetCursorPosX((ImGui::GetWindowWidth() - next_width) / 2);
         ImGui::TextUnformatted(next.c_str());
-        ImGui::End();
     }
+    ImGui::End();
 }
 
 void draw_big_buttons(Screen& screen, const TableView& table) {
@@ -153,7 +191,7 @@ void draw_big_buttons(Screen& screen, const TableView& table) {
     const bool chooses =
         screen.game.acting() && table.match && table.match->stage == match::Stage::Choosing;
     if (!chooses && (!is_over || table.my_seats.empty())) return;
-    begin_strip(screen, "choices", 102.0F);
+    begin_strip(screen, "choices", kChoicesFromTop * screen.scale, ImGuiWindowFlags_None);
     ImGui::PushFont(screen.letters.large);
     if (is_over) {
         ImGui::BeginDisabled(screen.game.has_asked_to_start());
@@ -180,7 +218,9 @@ void draw_hints(const Screen& screen, const match::MatchState& match) {
         "Shoot: press the left button, pull back, let go. Or wheel for power, and Space.",
         "Spin: hold E and move the mouse, or click the white ball at the right."};
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    begin_strip(screen, "hints", display.y - 108.0F);
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const float height = line * kHints.size() + 2 * ImGui::GetStyle().WindowPadding.y;
+    begin_strip(screen, "hints", display.y - height - kStripMargin * screen.scale);
     for (const char* hint : kHints) ImGui::TextUnformatted(hint);
     ImGui::End();
 }

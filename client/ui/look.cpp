@@ -49,8 +49,9 @@ void set_colors(ImGuiStyle& style) {
 
 }  // namespace
 
-Letters set_look() {
+Letters set_look(float scale) {
     ImGuiStyle& style = ImGui::GetStyle();
+    style = ImGuiStyle();
     ImGui::StyleColorsDark(&style);
     set_colors(style);
     style.WindowRounding = 0.0F;
@@ -62,11 +63,13 @@ Letters set_look() {
     style.FramePadding = {10.0F, 5.0F};
     style.ItemSpacing = {8.0F, 6.0F};
     style.WindowPadding = {14.0F, 12.0F};
+    style.ScaleAllSizes(scale);
+    ImGui::GetIO().Fonts->Clear();
     Letters letters;
-    letters.normal = font("Lato-Regular.ttf", 17.0F);
-    letters.small = font("Lato-Regular.ttf", 14.5F);
-    letters.large = font("Lato-Semibold.ttf", 21.0F);
-    letters.title = font("Lato-Black.ttf", 44.0F);
+    letters.normal = font("Lato-Regular.ttf", std::round(17.0F * scale));
+    letters.small = font("Lato-Regular.ttf", std::round(14.5F * scale));
+    letters.large = font("Lato-Semibold.ttf", std::round(21.0F * scale));
+    letters.title = font("Lato-Black.ttf", std::round(44.0F * scale));
     return letters;
 }
 

@@ -1,11 +1,23 @@
 // Gives the colours, sizes and letters of everything that is not the table.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <imgui.h>
 
 namespace billiards::client {
 
+/// Lengths of the interface are for a window of this height, in its units.
+inline constexpr float kDesignedHeight = 720.0F;
 inline constexpr float kPanelWidth = 300.0F;
+
+/// What those lengths are multiplied by: 1.25 in a window 1080 high. In steps, so that a window
+/// that is dragged larger does not need new letters all the time.
+inline float interface_scale(float window_height) {
+    const float above = window_height - kDesignedHeight;
+    const float scale = 1.0F + (above > 0 ? 0.5F : 1.0F) * above / kDesignedHeight;
+    return std::clamp(std::round(20.0F * scale) / 20.0F, 0.8F, 3.0F);
+}
 
 namespace colors {
 inline const ImVec4 kText{0.93F, 0.91F, 0.87F, 1.0F};
@@ -22,7 +34,7 @@ struct Letters {
     ImFont* title = nullptr;
 };
 
-/// Once a context. Lato where it is installed, else ImGui's own letters.
-Letters set_look();
+/// Not within a frame; earlier letters are gone. Lato where it is installed, else ImGui's own.
+Letters set_look(float scale);
 
 }  // namespace billiards::client

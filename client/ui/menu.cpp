@@ -12,12 +12,15 @@ namespace billiards::client {
 
 namespace {
 
-const ImVec2 kWideButton{340.0F, 44.0F};
 constexpr std::array kTableSizes{"7 ft", "8 ft", "9 ft"};
+
+ImVec2 wide(const Screen& screen) {
+    return {340.0F * screen.scale, 44.0F * screen.scale};
+}
 
 /// True where it was clicked.
 bool wide_button(Screen& screen, const char* name) {
-    const bool clicked = ImGui::Button(name, kWideButton);
+    const bool clicked = ImGui::Button(name, wide(screen));
     screen.controls.note(name);
     return clicked;
 }
@@ -77,7 +80,7 @@ void leave(Screen& screen) {
 
 void text_field(Screen& screen, const char* name, std::string& text) {
     ImGui::TextUnformatted(name);
-    ImGui::SetNextItemWidth(kWideButton.x);
+    ImGui::SetNextItemWidth(wide(screen).x);
     ImGui::InputText(fmt::format("##{}", name).c_str(), &text);
     screen.controls.note(name);
 }
@@ -85,7 +88,7 @@ void text_field(Screen& screen, const char* name, std::string& text) {
 void draw_settings(Screen& screen) {
     MenuState& menu = screen.menu;
     ImGui::TextUnformatted("Race to");
-    ImGui::SetNextItemWidth(kWideButton.x);
+    ImGui::SetNextItemWidth(wide(screen).x);
     ImGui::SliderInt("##race", &menu.race_to, 1, 15, "%d racks");
     screen.controls.note("Race to");
     ImGui::TextUnformatted("Table");
@@ -173,7 +176,7 @@ void draw_row(Screen& screen, const protocol::server::TableRow& row) {
         fmt::format("{}:  {} {} - {} {}   race to {}, {} watching##{}", row.name,
                     name_of(Seat::First), row.racks_won[Seat::First], row.racks_won[Seat::Second],
                     name_of(Seat::Second), row.settings.race_to, row.spectators, row.table.value);
-    if (ImGui::Selectable(text.c_str(), false, 0, {0.0F, 30.0F})) {
+    if (ImGui::Selectable(text.c_str(), false, 0, {0.0F, 30.0F * screen.scale})) {
         screen.game.join(row.table, watches ? protocol::Role::Spectator : protocol::Role::Player);
     }
     screen.controls.note(fmt::format("Table {}", row.table.value));
@@ -196,7 +199,7 @@ void draw_tables(Screen& screen) {
     } else {
         ImGui::TextUnformatted(screen.menu.watches ? "Click a table to watch it."
                                                    : "Click a table to play; a full one to watch.");
-        ImGui::BeginChild("tables", {760.0F, 260.0F}, true);
+        ImGui::BeginChild("tables", {760.0F * screen.scale, 260.0F * screen.scale}, true);
         for (const auto& row : known.tables) draw_row(screen, row);
         if (known.tables.empty()) ImGui::TextColored(colors::kQuiet, "There is no table yet.");
         ImGui::EndChild();
@@ -221,14 +224,14 @@ void draw_help(Screen& screen) {
              "move the mouse; Ctrl: a tenth; left and right arrows: 0.03 degrees, Shift 0.23"},
         Line{"Shoot", "press the left button, pull back, let go; Esc or right button: not now"},
         Line{"Power", "wheel, or up and down arrows; then Space shoots"},
-        Line{"Spin, elevation", "hold E, or B, and move the mouse"},
+        Line{"Spin, elevation", "hold E, or B, and move the mouse; E twice: centre"},
         Line{"Cue ball in hand", "drag it, or arrows (Shift: ten times); Enter sets it down"},
         Line{"Call", "click a ball, then its pocket; C: nothing called"},
         Line{"Eye", "right button and drag; Shift and wheel; O from above; V next view"},
         Line{"Other", "Z skip the roll, T aim line, F1 help, F11 full screen, Esc menu"}};
     for (const auto& [what, how] : kLines) {
         ImGui::TextColored(colors::kAccent, "%s", what);
-        ImGui::SameLine(180.0F);
+        ImGui::SameLine(180.0F * screen.scale);
         ImGui::TextUnformatted(how);
     }
     draw_back(screen);
@@ -269,7 +272,7 @@ void draw_menu(Screen& screen) {
     const float middle = screen.table_width(display.x) / 2;
     ImGui::SetNextWindowPos({middle, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowBgAlpha(0.88F);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {28.0F, 22.0F});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {28.0F * screen.scale, 22.0F * screen.scale});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 10.0F);
     ImGui::Begin("menu", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
@@ -278,10 +281,10 @@ void draw_menu(Screen& screen) {
     ImGui::PushFont(screen.letters.title);
     ImGui::TextUnformatted("gl-billiards");
     ImGui::PopFont();
-    ImGui::Dummy({0.0F, 6.0F});
+    ImGui::Dummy({0.0F, 6.0F * screen.scale});
     draw_page(screen);
     if (!screen.menu.trouble.empty() && page == screen.menu.page) {
-        ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 420.0F);
+        ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 420.0F * screen.scale);
         ImGui::TextColored(colors::kWarning, "%s", screen.menu.trouble.c_str());
         ImGui::PopTextWrapPos();
     }

@@ -20,8 +20,11 @@ constexpr double kCueTurnPerUnit_rad = 0.1 * kDegree;
 constexpr double kOrbitPerUnit_rad = 0.35 * kDegree;
 constexpr float kLeastInformationHeight = 96.0F;
 /// Of everything below the information box.
-constexpr float kControlsHeight = 566.0F;
+constexpr float kControlsHeight = 546.0F;
 constexpr float kSpinPicture = 92.0F;
+constexpr float kCrossHeight = 42.0F;
+constexpr float kWordsBeside = 74.0F;  ///< Where a row's control begins, right of its name.
+const ImU32 kInk = ImGui::ColorConvertFloat4ToU32(colors::kText);
 
 float full_width() {
     return ImGui::GetContentRegionAvail().x;
@@ -34,6 +37,25 @@ void group(const Screen& screen, const char* name) {
     ImGui::Separator();
 }
 
+/// A line with a head at its end, to be dragged that way.
+void draw_arrow(const Screen& screen, const ImVec2& from, const ImVec2& to) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float length = std::hypot(to.x - from.x, to.y - from.y);
+    const ImVec2 along{(to.x - from.x) / length, (to.y - from.y) / length};
+    const float head = 5.0F * screen.scale;
+    const ImVec2 neck{to.x - head * along.x, to.y - head * along.y};
+    const ImVec2 aside{-0.8F * head * along.y, 0.8F * head * along.x};
+    draw.AddLine(from, neck, kInk, 1.6F * screen.scale);
+    draw.AddTriangleFilled(to, {neck.x + aside.x, neck.y + aside.y},
+                           {neck.x - aside.x, neck.y - aside.y}, kInk);
+}
+
+ImVec2 middle_of_last_item() {
+    const ImVec2 from = ImGui::GetItemRectMin();
+    const ImVec2 to = ImGui::GetItemRectMax();
+    return {(from.x + to.x) / 2, (from.y + to.y) / 2};
+}
+
 /// How far the mouse was dragged since the last frame, while the control is held. The way to it is
 /// no drag, even where a slow frame saw both at once.
 ImVec2 drag_on_last_item() {
@@ -43,11 +65,16 @@ ImVec2 drag_on_last_item() {
 
 void draw_information(Screen& screen) {
     const float height =
-        std::max(kLeastInformationHeight, ImGui::GetContentRegionAvail().y - kControlsHeight);
+        std::max(kLeastInformationHeight * screen.scale,
+                 ImGui::GetContentRegionAvail().y - kControlsHeight * screen.scale);
     ImGui::BeginChild("information", {0.0F, height}, true);
     ImGui::PushFont(screen.letters.small);
-    for (const std::string& line : information(screen.game)) {
+    const std::vector<std::string> lines = information(screen.game);
+    for (const std::string& line : lines) {
+        const bool is_newest = &line == &lines.back();
+        ImGui::PushStyleColor(ImGuiCol_Text, is_newest ? colors::kText : colors::kQuiet);
         ImGui::TextWrapped("%s", line.c_str());
+        ImGui::PopStyleColor();
     }
     ImGui::PopFont();
     if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY()) ImGui::SetScrollHereY(1.0F);
@@ -56,8 +83,14 @@ void draw_information(Screen& screen) {
 }
 
 void draw_rotate_cue(Screen& screen) {
-    ImGui::Button("<  Rotate Cue  >", {full_width(), 0.0F});
+    ImGui::Button("Rotate Cue", {full_width(), 0.0F});
     screen.controls.note("Rotate Cue");
+    const ImVec2 middle = middle_of_last_item();
+    for (const float side : {-1.0F, 1.0F}) {
+        const float from = middle.x + side * 52.0F * screen.scale;
+        const float to = middle.x + side * 108.0F * screen.scale;
+        draw_arrow(screen, {from, middle.y}, {to, middle.y});
+    }
     const ImVec2 drag = drag_on_last_item();
     if (drag.x != 0.0F) screen.game.shot().turn(-drag.x * kCueTurnPerUnit_rad);
 }
@@ -66,9 +99,9 @@ void draw_power(Screen& screen) {
     ShotControl& shot = screen.game.shot();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Power");
-    ImGui::SameLine(74.0F);
+    ImGui::SameLine(kWordsBeside * screen.scale);
     double power = shot.shot().power;
-    ImGui::SetNextItemWidth(90.0F);
+    ImGui::SetNextItemWidth(90.0F * screen.scale);
     if (ImGui::InputDouble("##power", &power, 0.0, 0.0, "%.2f")) shot.set_power(power);
     screen.controls.note("Power");
     ImGui::PushButtonRepeat(true);
@@ -85,9 +118,10 @@ void draw_power(Screen& screen) {
 void draw_spin(Screen& screen) {
     ShotControl& shot = screen.game.shot();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::InvisibleButton("spin", {kSpinPicture, kSpinPicture});
+    const float side = kSpinPicture * screen.scale;
+    ImGui::InvisibleButton("spin", {side, side});
     screen.controls.note("Spin");
-    const float radius = kSpinPicture / 2;
+    const float radius = side / 2;
     const ImVec2 middle{corner.x + radius, corner.y + radius};
     if (ImGui::IsItemActive()) {
         const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -102,7 +136,7 @@ void draw_spin(Screen& screen) {
                  IM_COL32(0, 0, 0, 30));
     const ImVec2 tip{middle.x - radius * static_cast<float>(shot.shot().tip_left),
                      middle.y - radius * static_cast<float>(shot.shot().tip_up)};
-    draw.AddCircleFilled(tip, 6.0F, IM_COL32(190, 40, 40, 255), 24);
+    draw.AddCircleFilled(tip, 6.0F * screen.scale, IM_COL32(190, 40, 40, 255), 24);
 }
 
 void draw_strike_point(Screen& screen) {
@@ -153,7 +187,7 @@ void draw_said(Screen& screen, const char* name) {
 void draw_call(Screen& screen) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Call");
-    ImGui::SameLine(74.0F);
+    ImGui::SameLine(kWordsBeside * screen.scale);
     ImGui::TextColored(colors::kQuiet, "%s", words_of(screen).c_str());
     screen.controls.note("Call");
     draw_said<model::Safety>(screen, "Safety");
@@ -177,9 +211,27 @@ void draw_shoot(Screen& screen) {
     screen.controls.note("Shoot");
 }
 
+/// Four arrows out of one place, on the last item, and its name beside them.
+void draw_cross(const Screen& screen) {
+    const ImVec2 middle = middle_of_last_item();
+    const ImVec2 size = ImGui::CalcTextSize("Rotate");
+    const float reach = 17.0F * screen.scale;
+    const float gap = 10.0F * screen.scale;
+    const ImVec2 cross{middle.x - (size.x + gap) / 2, middle.y};
+    for (const auto& [x, y] :
+         {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
+        draw_arrow(
+            screen, cross,
+            {cross.x + reach * static_cast<float>(x), cross.y + reach * static_cast<float>(y)});
+    }
+    ImGui::GetWindowDrawList()->AddText({cross.x + reach + gap, middle.y - size.y / 2}, kInk,
+                                        "Rotate");
+}
+
 void draw_camera(Screen& screen) {
-    ImGui::Button("Rotate  < ^ v >", {full_width(), 0.0F});
+    ImGui::Button("##rotate", {full_width(), kCrossHeight * screen.scale});
     screen.controls.note("Rotate");
+    draw_cross(screen);
     const ImVec2 drag = drag_on_last_item();
     screen.camera.orbit(-drag.x * kOrbitPerUnit_rad, drag.y * kOrbitPerUnit_rad);
     if (ImGui::RadioButton("Follow Ball", screen.follows_ball)) screen.follows_ball = true;
@@ -210,6 +262,8 @@ void draw_followed(Screen& screen) {
 }
 
 void draw_zoom(Screen& screen) {
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {padding.x / 4, padding.y});
     const float width = (full_width() - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
     if (ImGui::Button("Zoom In", {width, 0.0F})) screen.camera.zoom(1);
     screen.controls.note("Zoom In");
@@ -219,17 +273,18 @@ void draw_zoom(Screen& screen) {
     ImGui::SameLine();
     if (ImGui::Button("Reset Zoom", {width, 0.0F})) screen.camera.reset_zoom();
     screen.controls.note("Reset Zoom");
+    ImGui::PopStyleVar();
 }
 
 /// The handle that folds the panel away, and back.
 void draw_fold(Screen& screen, const ImVec2& display) {
-    const ImVec2 kHandle{22.0F, 64.0F};
+    const ImVec2 handle{22.0F * screen.scale, 64.0F * screen.scale};
     const float right = screen.table_width(display.x);
-    ImGui::SetNextWindowPos({right - kHandle.x, display.y / 2 - kHandle.y / 2});
-    ImGui::SetNextWindowSize(kHandle);
+    ImGui::SetNextWindowPos({right - handle.x, display.y / 2 - handle.y / 2});
+    ImGui::SetNextWindowSize(handle);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
     ImGui::Begin("fold", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoNav);
-    if (ImGui::Button(screen.is_panel_folded ? "<" : ">", kHandle)) {
+    if (ImGui::Button(screen.is_panel_folded ? "<" : ">", handle)) {
         screen.is_panel_folded = !screen.is_panel_folded;
     }
     screen.controls.note("Fold Panel");
@@ -243,8 +298,9 @@ void draw_panel(Screen& screen) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     draw_fold(screen, display);
     if (screen.is_panel_folded) return;
-    ImGui::SetNextWindowPos({display.x - kPanelWidth, 0.0F});
-    ImGui::SetNextWindowSize({kPanelWidth, display.y});
+    const float width = kPanelWidth * screen.scale;
+    ImGui::SetNextWindowPos({display.x - width, 0.0F});
+    ImGui::SetNextWindowSize({width, display.y});
     ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
     draw_information(screen);
     group(screen, "Cue");

@@ -40,6 +40,7 @@ struct Screen {
     std::filesystem::path data;  ///< Where a server in this process keeps its matches.
     std::unique_ptr<LocalServer> server;
     Letters letters;
+    float scale = 0.0F;  ///< Of the interface; set with the letters, before the first frame.
     ControlMap controls;
     MenuState menu;
 
@@ -55,7 +56,7 @@ struct Screen {
 
     /// What a window of this width leaves to the table.
     float table_width(float window_width) const {
-        return is_panel_folded ? window_width : window_width - kPanelWidth;
+        return is_panel_folded ? window_width : window_width - kPanelWidth * scale;
     }
 };
 
