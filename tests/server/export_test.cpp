@@ -31,7 +31,7 @@ class Export : public testing::Test {
     Export() {
         commit({SavePlayer{{{7}, replay_.header.players[model::Seat::First], {}, {}}},
                 SavePlayer{{{8}, replay_.header.players[model::Seat::Second], {}, {}}}});
-        for (const std::uint64_t id : {1, 2}) save_match({id});
+        for (const std::uint64_t id : {1U, 2U}) save_match({id});
         commit({FinishMatch{{1}}});
     }
 
@@ -88,7 +88,7 @@ TEST_F(Export, WritesAMatchThatVerifies) {
 }
 
 TEST_F(Export, KeepsBackAMatchThatIsStillPlayed) {
-    for (const std::uint64_t id : {2, 99}) {
+    for (const std::uint64_t id : {2U, 99U}) {
         const Ran ran = run(MatchId{id});
         EXPECT_EQ(ran.exit_code, 1);
         EXPECT_THAT(ran.err, HasSubstr("is not there, or has not ended"));
