@@ -27,6 +27,7 @@ struct Flags {
     bool is_offscreen = false;
     std::string screenshot;
     std::string scene = "menu";
+    int frames = 0;
     std::string report;
     std::string server;
     std::uint32_t table = 0;
@@ -58,6 +59,9 @@ void describe(CLI::App& app, Flags& flags) {
     app.add_flag("--offscreen", flags.is_offscreen, "Draw without a display");
     app.add_option("--screenshot", flags.screenshot, "Save a picture of the scene, and end")
         ->type_name("FILE.png");
+    app.add_option("--frames", flags.frames, "Draw the scene so often, say how long, and end")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1'000'000));
     app.add_option("--scene", flags.scene,
                    fmt::format("What the picture shows: {}", fmt::join(scene_names(), ", ")))
         ->type_name("NAME");
@@ -116,8 +120,9 @@ WindowAppOptions options_of(const Flags& flags) {
     options.seed = std::random_device()();
     options.report = flags.report;
     options.pictures = flags.pictures;
-    if (!flags.screenshot.empty()) {
+    if (!flags.screenshot.empty() || flags.frames > 0) {
         options.screenshot = flags.screenshot;
+        options.frames = flags.frames;
         options.scene = scene_named(flags.scene);
         if (!options.scene) {
             throw std::runtime_error(fmt::format("--scene {}: there are {}.", flags.scene,

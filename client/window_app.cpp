@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 namespace billiards::client {
@@ -32,6 +33,28 @@ model::TableSize table_size(const Screen& screen) {
     const TableView* table = screen.game.presentation().table();
     return table != nullptr ? table->row.settings.table
                             : static_cast<model::TableSize>(screen.menu.table_size);
+}
+
+template <class T>
+std::size_t hash_of(const ImVector<T>& values, std::size_t before) {
+    const std::string_view bytes(reinterpret_cast<const char*>(values.Data),
+                                 static_cast<std::size_t>(values.size_in_bytes()));
+    return 31 * before + std::hash<std::string_view>()(bytes);
+}
+
+std::size_t hash_of(const ImDrawData& interface) {
+    std::size_t hash = 0;
+    for (int i = 0; i < interface.CmdListsCount; ++i) {
+        hash = hash_of(interface.CmdLists[i]->VtxBuffer, hash);
+        hash = hash_of(interface.CmdLists[i]->IdxBuffer, hash);
+    }
+    return hash;
+}
+
+/// Pictures are worth their time, which is not so in a window without a graphics card.
+Quality quality_for(const WindowAppOptions& options) {
+    const bool is_picture = options.window.is_offscreen && options.frames == 0;
+    return is_picture ? Quality::Fine : quality_of_driver();
 }
 
 }  // namespace
@@ -54,7 +77,7 @@ WindowApp::WindowApp(const WindowAppOptions& options)
     : options_(options),
       window_(options.window),
       gui_(window_),
-      quality_(options.window.is_offscreen ? Quality::Fine : quality_of_driver()),
+      quality_(quality_for(options)),
       renderer_(options.assets, quality_),
       screen_(options.seed, options.data) {
     screen_.menu.name = options.name;
@@ -84,12 +107,24 @@ void WindowApp::run_window() {
         take_events();
         screen_.now = local_now();
         screen_.game.advance(screen_.now);
-        draw_frame();
-        const bool is_done = take_picture();
+        const Frame frame = lay_out();
         write_report();
-        window_.present();
-        if (is_done) return;
+        if (options_.scene) {
+            if (stage_scene(frame)) return;
+        } else if (shown_ != frame) {
+            draw(frame);
+            window_.present();
+            shown_ = frame;
+        }
+        rest(screen_.now);
     }
+}
+
+void WindowApp::rest(base::Instant frame_began) const {
+    constexpr double kShare = 0.9;  // Of a picture's time: the last of it is the screen's to wait.
+    const double left_s =
+        kShare / window_.refresh_rate() - base::seconds(local_now() - frame_began);
+    if (left_s > 0) SDL_Delay(static_cast<Uint32>(1000 * left_s));
 }
 
 /// Up to the second change of one key: ImGui 1.86 looks at keys once a frame, and would miss a
@@ -108,6 +143,7 @@ void WindowApp::take_events() {
         SDL_PeepEvents(&event, 1, SDL_GETEVENT, SDL_FIRSTEVENT, SDL_LASTEVENT);
         ImGui_ImplSDL2_ProcessEvent(&event);
         if (is_key) take_key(event.key);
+        if (event.type == SDL_WINDOWEVENT) shown_.reset();
         if (event.type == SDL_QUIT) screen_.wants_to_quit = true;
     }
 }
@@ -127,7 +163,7 @@ void WindowApp::take_key(const SDL_KeyboardEvent& key) {
     }
 }
 
-void WindowApp::draw_frame() {
+WindowApp::Frame WindowApp::lay_out() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplSDL2_NewFrame();
     fit_look();
@@ -139,7 +175,19 @@ void WindowApp::draw_frame() {
     draw_menu(screen_);
     if (!menu_was_open) hands_.handle(screen_);
     ImGui::Render();
-    draw_table();
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const Window::Size size = window_.drawable_size();
+    const float scale = static_cast<float>(size.width) / display.x;
+    const int width = static_cast<int>(screen_.table_width(display.x) * scale);
+    std::vector<Drawn> drawn = scene();
+    return {.scene = std::move(drawn),
+            .camera = screen_.camera,
+            .viewport = {.width = width, .height = size.height},
+            .interface = hash_of(*ImGui::GetDrawData())};
+}
+
+void WindowApp::draw(const Frame& frame) {
+    renderer_.draw(frame.scene, frame.camera, frame.viewport);
     const Window::Size size = window_.drawable_size();
     glViewport(0, 0, size.width, size.height);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
@@ -152,16 +200,6 @@ void WindowApp::fit_look() {
     screen_.letters = set_look(scale);
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
-}
-
-void WindowApp::draw_table() {
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const Window::Size size = window_.drawable_size();
-    const float scale = static_cast<float>(size.width) / display.x;
-    const std::vector<Drawn> drawn = scene();
-    renderer_.draw(
-        drawn, screen_.camera,
-        {.width = static_cast<int>(screen_.table_width(display.x) * scale), .height = size.height});
 }
 
 std::vector<Drawn> WindowApp::scene() {
@@ -209,11 +247,32 @@ void WindowApp::write_report() {
     last_report_ = std::move(report);
 }
 
-bool WindowApp::take_picture() {
-    if (!options_.scene || !(*options_.scene)(screen_)) return false;
-    if (++frames_at_scene_ < kFramesUntilSettled) return false;
-    save_picture(window_, options_.screenshot);
+bool WindowApp::stage_scene(const Frame& frame) {
+    if (!(*options_.scene)(screen_) || ++frames_at_scene_ < kFramesUntilSettled) return false;
+    draw(frame);
+    if (options_.frames > 0) {
+        measure_frames();
+    } else {
+        save_picture(window_, options_.screenshot);
+    }
     return true;
+}
+
+/// From looking at the game until the pixels are there, as if every frame were a new one.
+void WindowApp::measure_frames() {
+    glFinish();
+    const base::Instant began = local_now();
+    for (int i = 0; i < options_.frames; ++i) {
+        screen_.now = local_now();
+        screen_.game.advance(screen_.now);
+        draw(lay_out());
+        window_.present();
+    }
+    glFinish();
+    const double each_ms = 1000 * base::seconds(local_now() - began) / options_.frames;
+    const Window::Size size = window_.drawable_size();
+    fmt::print("{} frames of {}x{}: {:.2f} ms each\n", options_.frames, size.width, size.height,
+               each_ms);
 }
 
 }  // namespace billiards::client

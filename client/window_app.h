@@ -25,6 +25,7 @@ struct WindowAppOptions {
     std::uint64_t seed = 0;
     std::optional<SceneStep> scene;    ///< Ends the program once its picture is saved.
     std::filesystem::path screenshot;  ///< Of the scene.
+    int frames = 0;                    ///< Above 0: not a picture, but so many timed ones.
     std::filesystem::path pictures;    ///< Folder for a watched match's; empty: none.
     std::filesystem::path report;      ///< Empty: none.
     std::optional<Errand> errand;      ///< What to do at `server` at once.
@@ -43,6 +44,16 @@ class WindowApp {
     void run();
 
   private:
+    /// All that makes a frame what it is: where nothing of it changes, none is drawn.
+    struct Frame {
+        std::vector<Drawn> scene;
+        Camera camera;
+        Viewport viewport;
+        std::size_t interface = 0;  ///< A hash of what ImGui is going to draw.
+
+        friend bool operator==(const Frame&, const Frame&) = default;
+    };
+
     /// ImGui's context and its two backends.
     struct Gui {
         explicit Gui(const Window& window);
@@ -56,15 +67,19 @@ class WindowApp {
     void draw_picture(const DuePicture& picture);
     void take_events();
     void take_key(const SDL_KeyboardEvent& key);
-    void draw_frame();
+    /// The interface as it is now, and the scene: nothing is drawn yet.
+    Frame lay_out();
+    void draw(const Frame& frame);
+    void measure_frames();
+    /// Not faster than the screen, also where nothing waits for it.
+    void rest(base::Instant frame_began) const;
     /// Letters and lengths follow the window's height.
     void fit_look();
-    void draw_table();
     std::vector<Drawn> scene();
     void look_at(const std::vector<ShownBall>& balls);
     void write_report();
-    /// Whether the picture is taken, and the program done.
-    bool take_picture();
+    /// Steps towards the scene; once it is there, draws it, and the program is done.
+    bool stage_scene(const Frame& frame);
 
     WindowAppOptions options_;
     Window window_;
@@ -77,7 +92,8 @@ class WindowApp {
     std::uint64_t shown_shot_ = 0;  ///< The sequence of the shot that the orientations follow.
     std::ofstream report_;
     std::string last_report_;
-    /// A frame is drawn on what ImGui measured in the one before.
+    std::optional<Frame> shown_;  ///< None: the window's pixels may be gone.
+    /// What ImGui measures in a frame, the next one is laid out by.
     static constexpr int kFramesUntilSettled = 4;
     int frames_at_scene_ = 0;
 };

@@ -67,7 +67,8 @@ void WindowApp::draw_pictures() {
 void WindowApp::draw_picture(const DuePicture& picture) {
     screen_.now = moment_of(picture, screen_.game.presentation().rolling());
     screen_.game.show(screen_.now);
-    for (int frame = 0; frame < kFramesUntilSettled; ++frame) draw_frame();
+    for (int frame = 1; frame < kFramesUntilSettled; ++frame) lay_out();
+    draw(lay_out());
     const std::filesystem::path file = options_.pictures / (picture.name + ".png");
     save_picture(window_, file);
     say({{"event", "picture"}, {"file", file.string()}});

@@ -23,6 +23,8 @@ struct Viewport {
     int bottom = 0;
     int width = 0;
     int height = 0;
+
+    friend bool operator==(const Viewport&, const Viewport&) = default;
 };
 
 /// Fine: smooth edges and wide soft shadows. Quick is for machines without a graphics card.

@@ -72,6 +72,14 @@ Window::Size Window::drawable_size() const {
     return size;
 }
 
+int Window::refresh_rate() const {
+    constexpr int kUsual = 60;
+    SDL_DisplayMode mode{};
+    const int screen = SDL_GetWindowDisplayIndex(window_.get());
+    const bool is_known = screen >= 0 && SDL_GetCurrentDisplayMode(screen, &mode) == 0;
+    return is_known && mode.refresh_rate > 0 ? mode.refresh_rate : kUsual;
+}
+
 void Window::present() {
     SDL_GL_SwapWindow(window_.get());
 }

@@ -38,6 +38,9 @@ class Window {
     /// In pixels of the frame buffer, which may be more than the units that the mouse has.
     Size drawable_size() const;
 
+    /// Pictures a second of the screen that it is on.
+    int refresh_rate() const;
+
     /// Shows what was drawn; waits for the screen's own rate where there is a screen.
     void present();
 

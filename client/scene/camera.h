@@ -36,6 +36,8 @@ class Camera {
     const base::Vec3& target_m() const { return target_m_; }
     base::Vec3 eye_m() const;
 
+    friend bool operator==(const Camera&, const Camera&) = default;
+
     glm::mat4 view() const;
     glm::mat4 projection(double aspect) const;
 
