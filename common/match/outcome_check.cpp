@@ -82,9 +82,16 @@ Checked check_scores(const MatchState& state, const rules::Verdict& verdict) {
     return base::Done{};
 }
 
+Checked check_practice(const MatchState& state, const rules::Verdict& verdict) {
+    const bool goes_on = verdict.next_player == state.to_act && !verdict.chooser && !verdict.winner;
+    const bool fits = state.settings.game != rules::Game::Practice || goes_on;
+    return fits ? Checked(base::Done{}) : does_not_fit("practice has one player, who goes on");
+}
+
 Checked check_ruling(const MatchState& state, const rules::Verdict& verdict,
                      const model::Layout& layout) {
     if (Checked checked = check_verdict(verdict, layout); !checked) return checked;
+    if (Checked checked = check_practice(state, verdict); !checked) return checked;
     if (Checked checked = check_scores(state, verdict); !checked) return checked;
     return check_rerack(state, verdict, layout);
 }

@@ -89,6 +89,7 @@ Resolution rotation_resolution(const Verdict& verdict, Choice choice) {
     Resolution resolution;
     resolution.next_player =
         choice == Choice::PassBack ? opponent_of(*verdict.chooser) : *verdict.chooser;
+    resolution.in_hand = verdict.in_hand;
     return resolution;
 }
 

@@ -242,6 +242,21 @@ TEST(Refold, RefusesAnOutcomeThatDoesNotBelongToTheShot) {
     EXPECT_TRUE(refold(match, match.to_act, shot_at(match, 0, 0.5), match.layout, pass));
 }
 
+TEST(Refold, RefusesAnOutcomeThatPracticeDoesNotHave) {
+    Settings settings;
+    settings.game = rules::Game::Practice;
+    const MatchState match = placed(started(settings));
+    const rules::Verdict outcomes[] = {passes_to(Seat::Second), won_by(Seat::First),
+                                       offers(Seat::First, {Choice::Accept})};
+    for (const rules::Verdict& verdict : outcomes) {
+        const auto next =
+            refold(match, match.to_act, shot_at(match, 0, 0.5), match.layout, verdict);
+        ASSERT_FALSE(next);
+        EXPECT_EQ(next.error(),
+                  (Refusal{RefusalCode::BadOutcome, "practice has one player, who goes on"}));
+    }
+}
+
 TEST(Refold, RefusesATimeoutWithoutItsRuling) {
     const MatchState match = started();
     const auto next = refold(match, match.to_act, Timeout{match.turn}, std::nullopt, std::nullopt);

@@ -110,6 +110,14 @@ TEST_P(Rotation, OpponentPlaysOnOrPassesBackFromWhereTheBallsLie) {
     EXPECT_EQ(rules().resolve(state, verdict, Choice::PassBack), passes_back);
 }
 
+TEST_P(Rotation, CueBallInHandAsTheOfferSaysStaysSoForWhoeverPlaysOn) {
+    Verdict offer = judged(after_break_of(all()), PushOut{}, ToldShot().cushion(0));
+    offer.in_hand = Zone::Anywhere;
+    for (const Choice choice : {Choice::Play, Choice::PassBack}) {
+        EXPECT_EQ(rules().resolve({}, offer, choice).in_hand, Zone::Anywhere);
+    }
+}
+
 struct CountCase {
     const char* what;
     RackState state;
