@@ -17,6 +17,8 @@ namespace {
 
 constexpr GLenum kPictureUnit = 0;
 constexpr GLenum kShadowUnit = 1;
+/// Up to here nothing is mirrored.
+constexpr float kDull = 0.1F;
 const glm::vec3 kLamp_m{0.0F, 0.0F, 1.35F};
 const glm::vec3 kHalfLamp_m{0.95F, 0.16F, 0.0F};
 /// What the shadow map must hold: a 9 ft table with its rails.
@@ -40,7 +42,9 @@ Quality quality_of_driver() {
 Renderer::Renderer(std::filesystem::path assets, Quality quality)
     : assets_(std::move(assets)),
       quality_(quality),
-      lit_("lit", kLitVertex, kLitFragment),
+      dull_("dull", kLitVertex, kLitFragment, quality == Quality::Fine ? "#define FINE\n" : ""),
+      glossy_("glossy", kLitVertex, kLitFragment,
+              quality == Quality::Fine ? "#define FINE\n#define GLOSSY\n" : "#define GLOSSY\n"),
       shade_("shade", kLitVertex, kShadeFragment),
       depth_("depth", kDepthVertex, kDepthFragment),
       fixed_shadows_(shadow_pixels(quality)),
@@ -62,7 +66,8 @@ void Renderer::draw(std::span<const Drawn> scene, const Camera& camera, const Vi
     glClearColor(kDarkness.r, kDarkness.g, kDarkness.b, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const double aspect = static_cast<double>(viewport.width) / viewport.height;
-    draw_lit(scene, camera, aspect);
+    draw_lit(scene, camera, aspect, true);
+    draw_lit(scene, camera, aspect, false);
     draw_shades(scene, camera, aspect);
     if (is_fine) canvas_.finish(viewport.left, viewport.bottom);
 }
@@ -93,22 +98,23 @@ void Renderer::draw_depths(std::span<const Drawn> scene, bool are_fixed) {
     }
 }
 
-void Renderer::draw_lit(std::span<const Drawn> scene, const Camera& camera, double aspect) {
-    lit_.use();
-    lit_.set("view_projection", camera.projection(aspect) * camera.view());
-    lit_.set("lamp_view_projection", lamp_view_projection(kLamp_m, kHalfTable_m));
-    lit_.set("eye", glm::vec3(camera.eye_m()));
-    lit_.set("lamp", kLamp_m);
-    lit_.set("half_lamp", kHalfLamp_m);
-    lit_.set("darkness", kDarkness);
-    lit_.set("is_fine", quality_ == Quality::Fine ? 1 : 0);
-    lit_.set("lamp_depths", static_cast<int>(kShadowUnit));
+void Renderer::draw_lit(std::span<const Drawn> scene, const Camera& camera, double aspect,
+                        bool is_glossy) {
+    const Shader& lit = is_glossy ? glossy_ : dull_;
+    lit.use();
+    lit.set("view_projection", camera.projection(aspect) * camera.view());
+    lit.set("lamp_view_projection", lamp_view_projection(kLamp_m, kHalfTable_m));
+    lit.set("eye", glm::vec3(camera.eye_m()));
+    lit.set("lamp", kLamp_m);
+    lit.set("half_lamp", kHalfLamp_m);
+    lit.set("darkness", kDarkness);
+    lit.set("lamp_depths", static_cast<int>(kShadowUnit));
     shadows_.bind_texture(kShadowUnit);
     for (const Drawn& drawn : scene) {
-        if (drawn.is_shade) continue;
-        lit_.set("model_normal", glm::mat3(glm::inverseTranspose(drawn.transform)));
-        lit_.set("gloss", drawn.gloss);
-        draw_with(lit_, drawn);
+        if (drawn.is_shade || (drawn.gloss > kDull) != is_glossy) continue;
+        lit.set("model_normal", glm::mat3(glm::inverseTranspose(drawn.transform)));
+        lit.set("gloss", drawn.gloss);
+        draw_with(lit, drawn);
     }
 }
 
@@ -128,8 +134,8 @@ void Renderer::draw_shades(std::span<const Drawn> scene, const Camera& camera, d
 void Renderer::draw_with(const Shader& shader, const Drawn& drawn) {
     shader.set("model", drawn.transform);
     shader.set("picture", static_cast<int>(kPictureUnit));
+    glActiveTexture(GL_TEXTURE0 + kPictureUnit);  // Also for a texture that is loaded now.
     const GlTexture& texture = texture_of(drawn);
-    glActiveTexture(GL_TEXTURE0 + kPictureUnit);
     glBindTexture(GL_TEXTURE_2D, texture.name());
     for (const GpuMesh& mesh : meshes_of(drawn)) mesh.draw();
 }

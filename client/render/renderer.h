@@ -48,13 +48,16 @@ class Renderer {
     const GlTexture& texture_of(const Drawn& drawn);
     void draw_shadows(std::span<const Drawn> scene);
     void draw_depths(std::span<const Drawn> scene, bool are_fixed);
-    void draw_lit(std::span<const Drawn> scene, const Camera& camera, double aspect);
+    /// What is glossy, or all the rest.
+    void draw_lit(std::span<const Drawn> scene, const Camera& camera, double aspect,
+                  bool is_glossy);
     void draw_shades(std::span<const Drawn> scene, const Camera& camera, double aspect);
     void draw_with(const Shader& shader, const Drawn& drawn);
 
     std::filesystem::path assets_;
     Quality quality_;
-    Shader lit_;
+    Shader dull_;
+    Shader glossy_;
     Shader shade_;
     Shader depth_;
     ShadowMap fixed_shadows_;

@@ -17,9 +17,10 @@ constexpr GLsizei kLogLength = 1024;
     throw CannotDraw(fmt::format("The graphics driver does not take the shader {}: {}", name, log));
 }
 
-GlShader compiled(const char* name, GLenum kind, const char* text) {
+GlShader compiled(const char* name, GLenum kind, const char* defined, const char* text) {
     GlShader shader(glCreateShader(kind));
-    glShaderSource(shader.name(), 1, &text, nullptr);
+    const std::array texts{"#version 330 core\n", defined, text};
+    glShaderSource(shader.name(), static_cast<GLsizei>(texts.size()), texts.data(), nullptr);
     glCompileShader(shader.name());
     GLint is_fine = GL_FALSE;
     glGetShaderiv(shader.name(), GL_COMPILE_STATUS, &is_fine);
@@ -31,10 +32,11 @@ GlShader compiled(const char* name, GLenum kind, const char* text) {
 
 }  // namespace
 
-Shader::Shader(const char* name, const char* vertex_text, const char* fragment_text)
+Shader::Shader(const char* name, const char* vertex_text, const char* fragment_text,
+               const char* defined)
     : program_(glCreateProgram()) {
-    const GlShader vertex = compiled(name, GL_VERTEX_SHADER, vertex_text);
-    const GlShader fragment = compiled(name, GL_FRAGMENT_SHADER, fragment_text);
+    const GlShader vertex = compiled(name, GL_VERTEX_SHADER, defined, vertex_text);
+    const GlShader fragment = compiled(name, GL_FRAGMENT_SHADER, defined, fragment_text);
     glAttachShader(program_.name(), vertex.name());
     glAttachShader(program_.name(), fragment.name());
     glLinkProgram(program_.name());

@@ -12,7 +12,9 @@ namespace billiards::client {
 class Shader {
   public:
     /// `name` is said where the driver will not take it: CannotDraw with the driver's words.
-    Shader(const char* name, const char* vertex_text, const char* fragment_text);
+    /// `defined` is put before both texts.
+    Shader(const char* name, const char* vertex_text, const char* fragment_text,
+           const char* defined = "");
 
     void use() const { glUseProgram(program_.name()); }
 

@@ -5,7 +5,7 @@ namespace billiards::client {
 
 /// The lamp over the table is a rectangle; shadows come from a map of the depths that its middle
 /// sees. A place is looked up there a little off its surface, which is not to shade itself.
-inline constexpr const char* kLitVertex = R"(#version 330 core
+inline constexpr const char* kLitVertex = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
@@ -28,7 +28,9 @@ void main() {
 }
 )";
 
-inline constexpr const char* kLitFragment = R"(#version 330 core
+/// A driver in software takes both ways of every branch: FINE and GLOSSY are defined, or not, in
+/// programs of their own.
+inline constexpr const char* kLitFragment = R"(
 in vec3 world;
 in vec3 world_normal;
 in vec2 place;
@@ -40,7 +42,6 @@ uniform vec3 lamp;
 uniform vec3 half_lamp;
 uniform vec3 darkness;
 uniform float gloss;
-uniform bool is_fine;
 out vec4 color;
 
 const vec3 kLampLight = vec3(1.0, 0.94, 0.84) * 1.75;
@@ -58,13 +59,13 @@ float lit_at(vec3 in_lamp, vec2 offset) {
 float lit_part() {
     vec3 in_lamp = in_lamp_seen.xyz / in_lamp_seen.w * 0.5 + 0.5;
     if (any(lessThan(in_lamp, vec3(0.0))) || any(greaterThan(in_lamp, vec3(1.0)))) return 1.0;
+#ifdef FINE
     float sum = 0.0;
-    if (!is_fine) {
-        for (int i = 0; i < 4; ++i) sum += lit_at(in_lamp, vec2(i & 1, i >> 1) * 1.6 - 0.8);
-        return sum / 4.0;
-    }
     for (int i = 0; i < 25; ++i) sum += lit_at(in_lamp, vec2(i % 5, i / 5) * 1.7 - 3.4);
     return sum / 25.0;
+#else
+    return lit_at(in_lamp, vec2(0.0));
+#endif
 }
 
 // What a polished place sees of the lamp and of the room by its reflection.
@@ -75,18 +76,24 @@ vec3 reflected(vec3 n, vec3 to_eye) {
     vec2 soft = vec2(mix(0.55, 0.05, gloss));
     vec2 within = 1.0 - smoothstep(-soft, soft, outside);
     float sees_lamp = within.x * within.y * step(0.0, way.z);
-    return mix(kGround, kSky, way.z * 0.5 + 0.5) + kLampLight * 3.2 * sees_lamp;
+    return mix(kGround, kSky, way.z * 0.5 + 0.5) + kLampLight * 8.0 * sees_lamp;
 }
 
-// Bright light does not clip but fades to white; then the screen's gamma.
+// From a picture's sRGB to light, within 0.002: a cubic is quicker than a power.
+vec3 as_light(vec3 shown) {
+    return shown * (shown * (shown * 0.305306011 + 0.682171111) + 0.012522878);
+}
+
+// From light to sRGB: bright light does not clip but fades to white, as on film (the curve of
+// J. Hejl and R. Burgess-Dawson, which has the screen's gamma in it).
 vec3 as_shown(vec3 light) {
-    return pow(1.0 - exp(-1.6 * light), vec3(1.0 / 2.2));
+    vec3 x = 1.1 * light;
+    return (x * (6.2 * x + 0.5)) / (x * (6.2 * x + 1.7) + 0.06);
 }
 
 void main() {
-    vec3 base = texture(picture, place).rgb;
+    vec3 base = as_light(texture(picture, place).rgb);
     vec3 n = normalize(world_normal);
-    vec3 to_eye = normalize(eye - world);
     // The nearest place of the lamp: it lights the whole length of the table alike.
     vec3 to_lamp = vec3(clamp(world.xy, -half_lamp.xy, half_lamp.xy), lamp.z) - world;
     float distance_2 = dot(to_lamp, to_lamp);
@@ -97,29 +104,30 @@ void main() {
     vec3 around = mix(kGround, kSky, n.z * 0.5 + 0.5);
     vec3 light = base * (around + kLampLight * facing * lit / (0.25 + 0.55 * distance_2));
 
+#ifdef GLOSSY
+    vec3 to_eye = normalize(eye - world);
     float fresnel = 1.0 - max(dot(n, to_eye), 0.0);
     fresnel *= fresnel;
     fresnel *= fresnel;
-    if (gloss > 0.1) {
-        float mirror = gloss * (0.05 + 0.6 * fresnel);
-        light += mirror * reflected(n, to_eye) * mix(0.35, 1.0, lit);
-    }
+    float mirror = gloss * (0.05 + 0.6 * fresnel);
+    light += mirror * reflected(n, to_eye) * mix(0.35, 1.0, lit);
+#endif
     float away = smoothstep(kRoomBegins_m, kRoomEnds_m, length(world.xy));
     color = vec4(mix(as_shown(light), darkness, away), 1.0);
 }
 )";
 
 /// For pictures that darken what lies under them: drawn by multiplication.
-inline constexpr const char* kShadeFragment = R"(#version 330 core
+inline constexpr const char* kShadeFragment = R"(
 in vec2 place;
 uniform sampler2D picture;
 out vec4 color;
 void main() {
-    color = vec4(pow(texture(picture, place).rgb, vec3(1.0 / 2.2)), 1.0);
+    color = vec4(texture(picture, place).rgb, 1.0);
 }
 )";
 
-inline constexpr const char* kDepthVertex = R"(#version 330 core
+inline constexpr const char* kDepthVertex = R"(
 layout(location = 0) in vec3 position;
 uniform mat4 model;
 uniform mat4 view_projection;
@@ -128,7 +136,7 @@ void main() {
 }
 )";
 
-inline constexpr const char* kDepthFragment = R"(#version 330 core
+inline constexpr const char* kDepthFragment = R"(
 void main() {}
 )";
 

@@ -93,14 +93,14 @@ base::Vec3 contact_m(const HeldCue& cue, double elevation_rad) {
 }  // namespace
 
 std::vector<Drawn> drawn_table(model::TableSize size) {
-    return {{.model = {"models/floor.3ds", "textures/floor.bmp"},
+    return {part_of(size, "cushion", kCloth),
+            part_of(size, "wood", kPolishedWood),
+            part_of(size, "fittings", kLeatherAndPearl),
+            part_of(size, "cloth", kCloth),
+            {.model = {"models/floor.3ds", "textures/floor.bmp"},
              .gloss = kFloorboards,
              .casts_shadow = false,
              .is_fixed = true},
-            part_of(size, "cloth", kCloth),
-            part_of(size, "cushion", kCloth),
-            part_of(size, "wood", kPolishedWood),
-            part_of(size, "fittings", kLeatherAndPearl),
             shade_of(size)};
 }
 
@@ -145,11 +145,13 @@ Drawn drawn_cue(const HeldCue& cue, const model::TableSpec& table) {
 std::vector<Drawn> scene_of(model::TableSize size, std::span<const ShownBall> balls,
                             const Orientations& orientations, const std::optional<HeldCue>& cue,
                             Detail detail) {
-    std::vector<Drawn> scene = drawn_table(size);
+    std::vector<Drawn> scene;
     for (const ShownBall& ball : balls) {
         scene.push_back(drawn_ball(ball, orientations.of(ball.ball), detail));
     }
     if (cue) scene.push_back(drawn_cue(*cue, model::table_of(size)));
+    const std::vector<Drawn> table = drawn_table(size);
+    scene.insert(scene.end(), table.begin(), table.end());
     for (const ShownBall& ball : balls) {
         if (auto shade = drawn_shade(ball)) scene.push_back(*std::move(shade));
     }

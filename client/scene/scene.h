@@ -41,7 +41,7 @@ struct HeldCue {
     friend bool operator==(const HeldCue&, const HeldCue&) = default;
 };
 
-/// Floor, table and its parts. The same as long as the table is.
+/// The table's parts and the floor. The same as long as the table is.
 std::vector<Drawn> drawn_table(model::TableSize size);
 
 /// A ball, turned as it is. Ids above 15 have the object balls' pictures again.
@@ -55,8 +55,8 @@ std::optional<Drawn> drawn_shade(const ShownBall& ball);
 /// the eye as far as the cue needs to clear the rail behind it.
 Drawn drawn_cue(const HeldCue& cue, const model::TableSpec& table);
 
-/// All of it, shades last: the table, the balls as `orientations` has them turned, the cue where
-/// there is one.
+/// All of it, what is likely to hide something first, and shades last: the table, the balls as
+/// `orientations` has them turned, the cue where there is one.
 std::vector<Drawn> scene_of(model::TableSize size, std::span<const ShownBall> balls,
                             const Orientations& orientations, const std::optional<HeldCue>& cue,
                             Detail detail = Detail::Fine);

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kBreakAngle_rad = 0.012;
 constexpr double kBreakPower = 0.95;
+constexpr double kWeakPower = 0.04;  ///< Not enough for a legal break.
+constexpr double kCloseUp = 18;      ///< Steps of the wheel.
 constexpr double kIntoBreak_s = 1.1;
 
 SceneStep page(MenuPage page) {
@@ -30,14 +32,19 @@ bool rack(Screen& screen) {
     return false;
 }
 
+/// Shoots the first break, once it can be.
+void shoot_break(Screen& screen, double power) {
+    if (!rack(screen)) return;
+    screen.game.shot().set_angle(kBreakAngle_rad);
+    screen.game.shot().set_power(power);
+    screen.game.shoot();
+}
+
 /// In the middle of the first break.
 bool break_shot(Screen& screen) {
     const Playback* rolling = screen.game.presentation().rolling();
     if (rolling == nullptr) {
-        if (!rack(screen)) return false;
-        screen.game.shot().set_angle(kBreakAngle_rad);
-        screen.game.shot().set_power(kBreakPower);
-        screen.game.shoot();
+        shoot_break(screen, kBreakPower);
         return false;
     }
     const base::Instant end = rolling->ends_at();
@@ -45,13 +52,69 @@ bool break_shot(Screen& screen) {
     return rolling->shot().record.duration_s - left_s > kIntoBreak_s;
 }
 
-/// The second shot is aimed.
-bool aim(Screen& screen) {
+/// After a break of this power, somebody is to act.
+bool broken(Screen& screen, double power) {
     if (screen.game.presentation().rolling() != nullptr) screen.game.skip_roll();
     const auto& table = screen.game.known().table;
     const bool has_broken = table && table->match && table->match->shots_played > 0;
-    if (has_broken && screen.game.acting()) return true;
-    if (!has_broken) break_shot(screen);
+    if (!has_broken) shoot_break(screen, power);
+    return has_broken && screen.game.acting();
+}
+
+/// The second shot is aimed.
+bool aim(Screen& screen) {
+    return broken(screen, kBreakPower);
+}
+
+/// The same from straight above.
+bool above(Screen& screen) {
+    screen.camera.look_from_above();
+    return aim(screen);
+}
+
+bool folded(Screen& screen) {
+    screen.is_panel_folded = true;
+    return aim(screen);
+}
+
+/// The eye turns about the cue ball, near by.
+bool close_up(Screen& screen) {
+    if (!screen.follows_ball) {
+        screen.follows_ball = true;
+        screen.camera.orbit(0.0, -0.3);
+        screen.camera.zoom(kCloseUp);
+    }
+    return aim(screen);
+}
+
+/// After a break that was too weak, the other player chooses.
+bool choice(Screen& screen) {
+    return broken(screen, kWeakPower);
+}
+
+/// The cue ball is held where it must not lie.
+bool in_hand(Screen& screen) {
+    if (!rack(screen)) return false;
+    screen.game.hold_cue_ball_at({0.2, 0.25});
+    return true;
+}
+
+/// A match has ended: the one who was to break gave it up.
+bool over(Screen& screen) {
+    const auto& table = screen.game.known().table;
+    if (table && table->over) return true;
+    if (rack(screen)) screen.game.concede();
+    return false;
+}
+
+/// What somebody sees who looks around at a server with a table.
+bool tables(Screen& screen) {
+    if (screen.menu.page == MenuPage::Tables) return !screen.game.known().tables.empty();
+    if (rack(screen)) {
+        screen.game.connect(screen.server->address(), screen.menu.name, LookAround{});
+        screen.menu.page = MenuPage::Tables;
+        screen.menu.is_open = true;
+    }
     return false;
 }
 
@@ -60,18 +123,21 @@ struct NamedScene {
     SceneStep step;
 };
 
-const std::array<NamedScene, 8>& scenes() {
-    static const std::array<NamedScene, 8> all{{{"menu", page(MenuPage::Main)},
-                                                {"host", page(MenuPage::Host)},
-                                                {"join", page(MenuPage::Join)},
-                                                {"help", page(MenuPage::Help)},
-                                                {"rack", rack},
-                                                {"break", break_shot},
-                                                {"aim", aim},
-                                                {"above", [](Screen& screen) {
-                                                     screen.camera.look_from_above();
-                                                     return aim(screen);
-                                                 }}}};
+const std::array<NamedScene, 14>& scenes() {
+    static const std::array<NamedScene, 14> all{{{"menu", page(MenuPage::Main)},
+                                                 {"host", page(MenuPage::Host)},
+                                                 {"join", page(MenuPage::Join)},
+                                                 {"help", page(MenuPage::Help)},
+                                                 {"tables", tables},
+                                                 {"rack", rack},
+                                                 {"hand", in_hand},
+                                                 {"break", break_shot},
+                                                 {"choice", choice},
+                                                 {"aim", aim},
+                                                 {"above", above},
+                                                 {"folded", folded},
+                                                 {"close", close_up},
+                                                 {"over", over}}};
     return all;
 }
 

@@ -12,8 +12,8 @@ namespace billiards::make_assets {
 
 namespace {
 
-constexpr Colour kClothDark{0.010, 0.262, 0.180};
-constexpr Colour kClothLight{0.030, 0.372, 0.262};
+constexpr Colour kClothDark{0.048, 0.268, 0.192};
+constexpr Colour kClothLight{0.085, 0.376, 0.276};
 /// The cushions' cloth is stretched, and a little darker.
 constexpr double kStretched = 0.84;
 constexpr Colour kWoodDark{0.165, 0.062, 0.030};
