@@ -91,14 +91,15 @@ void charge(Verdict& verdict, Seat shooter) {
     }
 }
 
-/// Spots the balls that did not count, and racks when one ball or none is left.
+/// Spots the balls that did not count; those that did stay down, and a new rack follows where they
+/// leave one ball or none.
 void bring_balls_back(Verdict& verdict, const RackState& state, const Facts& facts, bool made) {
     const BallSet down = fallen_balls(facts) | facts.off_table;
-    BallSet left = state.on_table - down;
     if (!made) {
-        left = left | down;
         down.for_each([&](model::BallId ball) { verdict.spotted.push_back(ball); });
+        return;
     }
+    const BallSet left = state.on_table - down;
     if (left.size() == 1) verdict.rerack = Rerack::Fourteen;
     if (left.empty()) verdict.rerack = Rerack::Fifteen;
 }

@@ -200,6 +200,8 @@ TEST(StraightPoolRack, SpottedBallsAreLeftOnTheTable) {
              passes(Reason::Safety).spotting({4})},
             {"miss", two, call(4), ToldShot().hits(4).pots(9),
              passes(Reason::NotCalled).spotting({9})},
+            {"miss at the only one", in_play(balls({4})), call(4), ToldShot().hits(4).cushion(4),
+             passes(Reason::NothingPotted)},
             {"one spotted and one left off", two, call(4), ToldShot().hits(4).pots(4).leaves(9),
              standard_foul({Foul::BallOffTable}).spotting({4, 9})},
         });
