@@ -186,23 +186,33 @@ void draw_score(Screen& screen, const TableView& table) {
     ImGui::End();
 }
 
+std::string as_title(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] += 'A' - 'a';
+    return text;
+}
+
 void draw_big_buttons(Screen& screen, const TableView& table) {
     const bool is_over = !table.match || table.match->stage == match::Stage::Over;
     const bool chooses =
         screen.game.acting() && table.match && table.match->stage == match::Stage::Choosing;
     if (!chooses && (!is_over || table.my_seats.empty())) return;
     begin_strip(screen, "choices", kChoicesFromTop * screen.scale, ImGuiWindowFlags_None);
+    const ImVec2 size{340.0F * screen.scale, 40.0F * screen.scale};
     ImGui::PushFont(screen.letters.large);
+    if (table.over && !screen.game.presentation().lines().empty()) {
+        ImGui::TextColored(colors::kAccent, "%s",
+                           screen.game.presentation().lines().back().c_str());
+    }
     if (is_over) {
         ImGui::BeginDisabled(screen.game.has_asked_to_start());
-        if (ImGui::Button(table.over ? "Play again" : "Start")) screen.game.ready();
+        if (ImGui::Button("Start", size)) screen.game.ready();
         ImGui::EndDisabled();
         screen.controls.note("Start");
     }
     if (chooses && table.match->pending) {
         for (const rules::Choice choice : table.match->pending->verdict.choices) {
             const std::string text = words(choice);
-            if (ImGui::Button(text.c_str())) screen.game.choose(choice);
+            if (ImGui::Button(as_title(text).c_str(), size)) screen.game.choose(choice);
             screen.controls.note("Choose " + text);
         }
     }

@@ -78,11 +78,14 @@ void leave(Screen& screen) {
     screen.server.reset();
 }
 
-void text_field(Screen& screen, const char* name, std::string& text) {
+/// True where Enter ends it: the page does then what it is for.
+bool text_field(Screen& screen, const char* name, std::string& text) {
     ImGui::TextUnformatted(name);
     ImGui::SetNextItemWidth(wide(screen).x);
-    ImGui::InputText(fmt::format("##{}", name).c_str(), &text);
+    const bool is_entered = ImGui::InputText(fmt::format("##{}", name).c_str(), &text,
+                                             ImGuiInputTextFlags_EnterReturnsTrue);
     screen.controls.note(name);
+    return is_entered;
 }
 
 void draw_settings(Screen& screen) {
@@ -136,8 +139,8 @@ void draw_back(Screen& screen) {
 
 void draw_host(Screen& screen) {
     MenuState& menu = screen.menu;
-    text_field(screen, "Your name", menu.name);
-    text_field(screen, "Port", menu.port);
+    bool opens = text_field(screen, "Your name", menu.name);
+    opens |= text_field(screen, "Port", menu.port);
     draw_settings(screen);
     ImGui::Checkbox("Others may come over the network", &menu.is_for_others);
     screen.controls.note("For others");
@@ -145,7 +148,8 @@ void draw_host(Screen& screen) {
         ImGui::TextColored(colors::kQuiet,
                            "What is sent is not encrypted yet: for a network that you trust.");
     }
-    if (wide_button(screen, "Open the table")) {
+    opens |= wide_button(screen, "Open the table");
+    if (opens) {
         if (const auto port = port_of(menu.port)) {
             start_server(
                 screen,
@@ -159,9 +163,10 @@ void draw_host(Screen& screen) {
 }
 
 void draw_join(Screen& screen) {
-    text_field(screen, "Your name", screen.menu.name);
-    text_field(screen, "Server", screen.menu.address);
-    if (wide_button(screen, "Connect")) go_to_server(screen);
+    bool connects = text_field(screen, "Your name", screen.menu.name);
+    connects |= text_field(screen, "Server", screen.menu.address);
+    connects |= wide_button(screen, "Connect");
+    if (connects) go_to_server(screen);
     draw_back(screen);
 }
 
@@ -273,11 +278,11 @@ void draw_menu(Screen& screen) {
     ImGui::SetNextWindowPos({middle, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowBgAlpha(0.88F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {28.0F * screen.scale, 22.0F * screen.scale});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 10.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 10.0F * screen.scale);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8.0F * screen.scale, 10.0F * screen.scale});
     ImGui::Begin("menu", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoMove);
-    ImGui::PopStyleVar(2);
     ImGui::PushFont(screen.letters.title);
     ImGui::TextUnformatted("gl-billiards");
     ImGui::PopFont();
@@ -289,6 +294,7 @@ void draw_menu(Screen& screen) {
         ImGui::PopTextWrapPos();
     }
     ImGui::End();
+    ImGui::PopStyleVar(3);
 }
 
 }  // namespace billiards::client
