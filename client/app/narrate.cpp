@@ -121,9 +121,25 @@ std::string in_hand(rules::Zone zone) {
     return "";
 }
 
+/// At straight pool, where the shot changed it: the points of both.
+std::string score_of(const TableView& before, const rules::Verdict& verdict) {
+    if (!before.match || verdict.score_change == model::PerSeat<int>{}) return "";
+    const auto points = [&](model::Seat seat) {
+        return before.match->rack.scores[seat] + verdict.score_change[seat];
+    };
+    return fmt::format("points {} to {}", points(model::Seat::First), points(model::Seat::Second));
+}
+
 /// Who is next, and with what.
-std::string what_follows(const TableView& before, const rules::Verdict& verdict) {
+std::string what_follows(const TableView& before, const server::ShotPlayed& shot) {
+    const rules::Verdict& verdict = shot.verdict;
     if (verdict.winner) return short_name(before, *verdict.winner) + " wins the rack";
+    if (verdict.choices.empty() && shot.after.rack.phase == rules::Phase::Break) {
+        // A third foul of straight pool, or the last turn of a stalemate that was claimed.
+        const bool third_foul = verdict.rerack == rules::Rerack::Fifteen;
+        return fmt::format("{}{} to break", third_foul ? "" : "the rack is played again; ",
+                           short_name(before, shot.after.to_act));
+    }
     const std::string next = short_name(before, verdict.next_player);
     if (!verdict.choices.empty()) {
         std::vector<std::string> choices;
@@ -163,8 +179,10 @@ std::string what_was_done(const match::MatchState& was, const server::MatchMoved
     if (answered && is.rack.phase == rules::Phase::Break) return "agrees to play the rack again";
     if (is.claim && !was.claim) return "claims a stalemate";
     if (is.extended_in != was.extended_in) return "takes an extension";
-    if (is.turn == was.turn) return "places a ball";
-    return "ran out of time";  // Of a choice.
+    const bool is_practice = is.settings.game == rules::Game::Practice;
+    if (is.turn == was.turn) return is_practice ? "places a ball" : "has the nearest ball spotted";
+    // Undo, repeat and re-rack; or the clock of a choice.
+    return is_practice ? "sets the balls up anew" : "ran out of time";
 }
 
 /// "a; b; c" of those that are not empty.
@@ -196,7 +214,7 @@ std::string tell(const TableView& before, const server::ShotPlayed& shot) {
     return fmt::format(
         "{} {}: {}", full_name(before, shot.seat), said(before, shot.call),
         joined({happened, fouls_of(shot.verdict), groups_set(before, shot.after, shot.verdict),
-                what_follows(before, shot.verdict)}));
+                score_of(before, shot.verdict), what_follows(before, shot)}));
 }
 
 std::string tell(const TableView& before, const server::MatchMoved& moved) {

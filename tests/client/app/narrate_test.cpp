@@ -169,6 +169,35 @@ INSTANTIATE_TEST_SUITE_P(
              {fell(8, 4)},
              rack_won(Reason::EightEarly, Seat::Second)}));
 
+/// What a safety of the first seat leads to, with nothing pocketed.
+std::string safety(const TableView& before, const rules::Verdict& ruling,
+                   const match::MatchState& after) {
+    server::ShotPlayed shot = told::shot(2, after);
+    shot.call = model::Safety{};
+    shot.verdict = ruling;
+    return tell(before, shot);
+}
+
+TEST(Narrate, AStalematesLastTurnAndWhoBreaksThen) {
+    match::MatchState again = told::match_at(8, Seat::First, 7);
+    again.rack.phase = Phase::Break;
+    EXPECT_EQ(safety(table_before(Phase::Groups), verdict(Reason::Safety, Seat::Second), again),
+              "Ada#12ab called a safety: nothing pocketed; the rack is played again; Ada to break");
+}
+
+TEST(Narrate, PointsAndTheThirdFoulOfStraightPool) {
+    TableView before = table_before(Phase::Groups);
+    before.match->rack.scores = {{9, 30}};
+    rules::Verdict third = verdict(Reason::ThreeFouls, Seat::First, true);
+    third.score_change[Seat::First] = -16;
+    third.rerack = rules::Rerack::Fifteen;
+    match::MatchState opening = told::match_at(8, Seat::First, 7);
+    opening.rack.phase = Phase::Break;
+    EXPECT_EQ(safety(before, third, opening),
+              "Ada#12ab called a safety: nothing pocketed, the third foul in a row; points -7 to "
+              "30; Ada to break");
+}
+
 TEST(Narrate, TheDiscriminatorStaysWhereBothAreCalledTheSame) {
     server::TableSnapshot snapshot = told::snapshot(1, {}, std::nullopt);
     snapshot.row.seats[Seat::Second].name = "Ada#9999";
@@ -219,6 +248,15 @@ TEST(Narrate, WhatStandsBetweenTwoTurns) {
     match::MatchState extended = told::match_at(7, Seat::First, 6);
     extended.extended_in[Seat::First] = extended.turn;
     EXPECT_EQ(moved_to(extended), "Ada#12ab takes an extension; Ada to play");
+}
+
+TEST(Narrate, BallsThatAreSetWithoutAShot) {
+    match::MatchState after = told::match_at(7, Seat::First, 6);
+    EXPECT_EQ(moved_to(after), "Ada#12ab has the nearest ball spotted; Ada to play");
+    after.settings.game = rules::Game::Practice;
+    EXPECT_EQ(moved_to(after), "Ada#12ab places a ball; Ada to play");
+    ++after.turn.value;
+    EXPECT_EQ(moved_to(after), "Ada#12ab sets the balls up anew; Ada to play");
 }
 
 TEST(Narrate, AnAnswerToAnOffer) {
