@@ -22,8 +22,9 @@ struct ControlPlace {
 class ControlMap {
   public:
     void start_frame() { places_.clear(); }
-    /// Of the item that was just made.
+    /// Of the item that was just made, unless it is scrolled out of sight.
     void note(const std::string& name) {
+        if (!ImGui::IsItemVisible()) return;
         const ImVec2 from = ImGui::GetItemRectMin();
         const ImVec2 to = ImGui::GetItemRectMax();
         places_[name] = {from.x, from.y, to.x - from.x, to.y - from.y};

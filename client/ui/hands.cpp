@@ -5,6 +5,7 @@
 
 #include <SDL.h>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -23,6 +24,7 @@ constexpr double kCtrlAims = 0.1;  ///< Of the way that the mouse went.
 constexpr double kFullPullUnits = 320.0;
 /// Less than this is a click, not a pull.
 constexpr float kClickUnits = 5.0F;
+constexpr base::Duration kTwiceWithin = std::chrono::seconds(1);
 
 double radius_m() {
     return model::BallSpec{}.radius_m;
@@ -117,6 +119,7 @@ void Hands::drag(Screen& screen, const std::optional<base::Vec2>& on_bed_m) {
             std::hypot(io.MousePos.x - pressed_at_.x, io.MousePos.y - pressed_at_.y);
         shot.pull_to(units < kClickUnits ? 0.0 : units / kFullPullUnits);
     } else if (is_key_down(SDL_SCANCODE_E)) {
+        spin_key_at_.reset();
         shot.move_tip({-io.MouseDelta.x * kTipPerUnit, -io.MouseDelta.y * kTipPerUnit});
     } else if (is_key_down(SDL_SCANCODE_B)) {
         shot.set_elevation(shot.shot().elevation_rad - io.MouseDelta.y * kElevationPerUnit_rad);
@@ -182,11 +185,19 @@ void Hands::handle_wheel(Screen& screen) const {
     }
 }
 
+/// Twice in a row, with the mouse still: back to the centre.
+void Hands::press_spin_key(Screen& screen) {
+    const bool is_second = spin_key_at_ && screen.now - *spin_key_at_ < kTwiceWithin;
+    if (is_second) screen.game.shot().set_tip({});
+    spin_key_at_ = screen.now;
+}
+
 void Hands::handle_keys(Screen& screen) {
     const auto pressed = [](SDL_Scancode key) { return ImGui::IsKeyPressed(key, false); };
     handle_arrows(screen);
     if (pressed(SDL_SCANCODE_RETURN)) screen.game.set_down();
     if (pressed(SDL_SCANCODE_SPACE) && !ImGui::GetIO().WantCaptureKeyboard) screen.game.shoot();
+    if (pressed(SDL_SCANCODE_E)) press_spin_key(screen);
     if (pressed(SDL_SCANCODE_Z)) screen.game.skip_roll();
     if (pressed(SDL_SCANCODE_O)) screen.camera.look_from_above();
     if (pressed(SDL_SCANCODE_V)) screen.camera.next_view();

@@ -23,11 +23,13 @@ class Hands {
     void click(Screen& screen);
     void handle_wheel(Screen& screen) const;
     void handle_keys(Screen& screen);
+    void press_spin_key(Screen& screen);
     void handle_arrows(Screen& screen) const;
 
     Hold hold_ = Hold::Nothing;
     ImVec2 pressed_at_{};
     base::Vec2 pressed_on_bed_m_{};
+    std::optional<base::Instant> spin_key_at_;
 };
 
 /// The place on the screen, from (-1, -1) to (1, 1), of a point in window units.

@@ -248,7 +248,8 @@ void draw_followed(Screen& screen) {
         return number == 0 ? std::string("Cue Ball") : std::to_string(number);
     };
     ImGui::SetNextItemWidth(full_width());
-    const bool is_open = ImGui::BeginCombo("##followed", name_of(screen.followed.number).c_str());
+    const bool is_open = ImGui::BeginCombo("##followed", name_of(screen.followed.number).c_str(),
+                                           ImGuiComboFlags_HeightLargest);
     screen.controls.note("Follow a Ball");
     if (!is_open) return;
     for (std::uint8_t number = 0; number <= 15; ++number) {

@@ -2,7 +2,10 @@
 #include "client/ui/report.h"
 
 #include "client/play/information.h"
+#include "client/ui/hands.h"
+#include "common/model/table_spec.h"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <nlohmann/json.hpp>
@@ -54,6 +57,31 @@ Json balls_of(const model::Layout& layout) {
     return balls;
 }
 
+/// In window units, whole; null behind the eye.
+Json point_on_screen(const Screen& screen, base::Vec2 at_m) {
+    const base::Vec3 point_m(at_m, model::BallSpec{}.radius_m);
+    const auto place = screen.camera.place_of(point_m, aspect_of(screen));
+    if (!place) return nullptr;
+    const ImVec2 at = point_of(screen, *place);
+    return {std::lround(at.x), std::lround(at.y)};
+}
+
+/// Where to click on a ball, or a pocket.
+Json places_of(const Screen& screen, const match::MatchState& match) {
+    Json balls = Json::object();
+    for (const model::PlacedBall& placed : match.layout.balls) {
+        if (placed.place != model::Place::OnTable) continue;
+        balls[std::to_string(placed.ball.number)] = point_on_screen(screen, placed.position_m);
+    }
+    const auto held_m = screen.game.cue_ball_m();
+    if (held_m) balls["0"] = point_on_screen(screen, *held_m);
+    Json pockets = Json::array();
+    for (const model::PocketCircle& pocket : model::table_of(match.settings.table).pockets) {
+        pockets.push_back(point_on_screen(screen, pocket.center_m));
+    }
+    return {{"balls", balls}, {"pockets", pockets}};
+}
+
 Json match_of(const match::MatchState& match) {
     return {{"turn", match.turn.value},
             {"to_act", static_cast<int>(match.to_act)},
@@ -69,9 +97,13 @@ Json table_of(const Screen& screen, const TableView& table) {
               {"seats", Json::array()},
               {"rolling", screen.game.presentation().rolling() != nullptr},
               {"match", nullptr},
+              {"on_screen", nullptr},
               {"last_hash", nullptr}};
     for (const model::Seat seat : table.my_seats) json["seats"].push_back(static_cast<int>(seat));
-    if (table.match) json["match"] = match_of(*table.match);
+    if (table.match) {
+        json["match"] = match_of(*table.match);
+        json["on_screen"] = places_of(screen, *table.match);
+    }
     if (table.last_shot) json["last_hash"] = fmt::format("{:016x}", table.last_shot->record.hash);
     return json;
 }
@@ -104,6 +136,7 @@ std::string report_of(const Screen& screen) {
         {"window", {io.DisplaySize.x, io.DisplaySize.y}},
         {"table_width", screen.table_width(io.DisplaySize.x)},
         {"mouse", mouse_of(io)},
+        {"typing", io.WantTextInput},
         {"menu", screen.menu.is_open},
         {"page", static_cast<int>(screen.menu.page)},
         {"trouble", screen.menu.trouble},
@@ -111,6 +144,7 @@ std::string report_of(const Screen& screen) {
         {"acting", acting ? Json(static_cast<int>(*acting)) : Json(nullptr)},
         {"cue_ball", cue_ball_m ? Json{cue_ball_m->x, cue_ball_m->y} : Json(nullptr)},
         {"placing", screen.game.placing().has_value()},
+        {"set_down", screen.game.placing() && screen.game.placing()->is_down()},
         {"called_ball", screen.called_ball ? Json(screen.called_ball->number) : Json(nullptr)},
         {"shot", shot_of(screen.game.shot())},
         {"camera", camera_of(screen)},
