@@ -103,7 +103,7 @@ void Renderer::draw_lit(std::span<const Drawn> scene, const Camera& camera, doub
     const Shader& lit = is_glossy ? glossy_ : dull_;
     lit.use();
     lit.set("view_projection", camera.projection(aspect) * camera.view());
-    lit.set("lamp_view_projection", lamp_view_projection(kLamp_m, kHalfTable_m));
+    lit.set("to_shadow_map", to_shadow_map(kLamp_m, kHalfTable_m));
     lit.set("eye", glm::vec3(camera.eye_m()));
     lit.set("lamp", kLamp_m);
     lit.set("half_lamp", kHalfLamp_m);

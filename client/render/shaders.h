@@ -12,18 +12,18 @@ layout(location = 2) in vec2 uv;
 uniform mat4 model;
 uniform mat3 model_normal;
 uniform mat4 view_projection;
-uniform mat4 lamp_view_projection;
+uniform mat4 to_shadow_map;
 out vec3 world;
 out vec3 world_normal;
 out vec2 place;
-out vec4 in_lamp_seen;
+out vec4 in_lamp;
 const float kOffSurface_m = 0.0035;
 void main() {
     vec4 at = model * vec4(position, 1.0);
     world = at.xyz;
     world_normal = normalize(model_normal * normal);
     place = uv;
-    in_lamp_seen = lamp_view_projection * (at + vec4(kOffSurface_m * world_normal, 0.0));
+    in_lamp = to_shadow_map * (at + vec4(kOffSurface_m * world_normal, 0.0));
     gl_Position = view_projection * at;
 }
 )";
@@ -34,7 +34,7 @@ inline constexpr const char* kLitFragment = R"(
 in vec3 world;
 in vec3 world_normal;
 in vec2 place;
-in vec4 in_lamp_seen;
+in vec4 in_lamp;
 uniform sampler2D picture;
 uniform sampler2DShadow lamp_depths;
 uniform vec3 eye;
@@ -47,24 +47,23 @@ out vec4 color;
 const vec3 kLampLight = vec3(1.0, 0.94, 0.84) * 1.75;
 const vec3 kSky = vec3(0.30, 0.32, 0.36) * 0.50;
 const vec3 kGround = vec3(0.13, 0.15, 0.12) * 0.95;
-const float kRoomBegins_m = 1.5;
-const float kRoomEnds_m = 5.2;
+const float kUnderTable_m = -0.2;
+const float kRoomBegins_m2 = 1.5 * 1.5;
+const float kRoomEnds_m2 = 5.0 * 5.0;
 
-float lit_at(vec3 in_lamp, vec2 offset) {
-    vec2 texel = 1.0 / vec2(textureSize(lamp_depths, 0));
-    return texture(lamp_depths, vec3(in_lamp.xy + offset * texel, in_lamp.z));
-}
-
-// The part of the lamp that a place sees: 1 in its light, 0 in shadow, soft at the rim.
+// The part of the lamp that a place sees: 1 in its light, 0 in shadow, soft at the rim. Beyond the
+// map all is light: its border is as far as can be.
 float lit_part() {
-    vec3 in_lamp = in_lamp_seen.xyz / in_lamp_seen.w * 0.5 + 0.5;
-    if (any(lessThan(in_lamp, vec3(0.0))) || any(greaterThan(in_lamp, vec3(1.0)))) return 1.0;
 #ifdef FINE
+    vec2 texel = in_lamp.w / vec2(textureSize(lamp_depths, 0));
     float sum = 0.0;
-    for (int i = 0; i < 25; ++i) sum += lit_at(in_lamp, vec2(i % 5, i / 5) * 1.7 - 3.4);
+    for (int i = 0; i < 25; ++i) {
+        vec2 offset = vec2(i % 5, i / 5) * 1.7 - 3.4;
+        sum += textureProj(lamp_depths, in_lamp + vec4(offset * texel, 0.0, 0.0));
+    }
     return sum / 25.0;
 #else
-    return lit_at(in_lamp, vec2(0.0));
+    return textureProj(lamp_depths, in_lamp);
 #endif
 }
 
@@ -76,7 +75,7 @@ vec3 reflected(vec3 n, vec3 to_eye) {
     vec2 soft = vec2(mix(0.55, 0.05, gloss));
     vec2 within = 1.0 - smoothstep(-soft, soft, outside);
     float sees_lamp = within.x * within.y * step(0.0, way.z);
-    return mix(kGround, kSky, way.z * 0.5 + 0.5) + kLampLight * 8.0 * sees_lamp;
+    return mix(kGround, kSky, way.z * 0.5 + 0.5) + kLampLight * (1.0 + 7.0 * gloss) * sees_lamp;
 }
 
 // From a picture's sRGB to light, within 0.002: a cubic is quicker than a power.
@@ -100,7 +99,8 @@ void main() {
     to_lamp *= inversesqrt(distance_2);
 
     float facing = max(dot(n, to_lamp), 0.0);
-    float lit = facing > 0.0 ? lit_part() : 0.0;
+    // The floor sees past the table to one end of the lamp or the other: the map knows its middle.
+    float lit = mix(lit_part(), 1.0, world.z < kUnderTable_m ? 0.6 : 0.0);
     vec3 around = mix(kGround, kSky, n.z * 0.5 + 0.5);
     vec3 light = base * (around + kLampLight * facing * lit / (0.25 + 0.55 * distance_2));
 
@@ -112,7 +112,7 @@ void main() {
     float mirror = gloss * (0.05 + 0.6 * fresnel);
     light += mirror * reflected(n, to_eye) * mix(0.35, 1.0, lit);
 #endif
-    float away = smoothstep(kRoomBegins_m, kRoomEnds_m, length(world.xy));
+    float away = smoothstep(kRoomBegins_m2, kRoomEnds_m2, dot(world.xy, world.xy));
     color = vec4(mix(as_shown(light), darkness, away), 1.0);
 }
 )";

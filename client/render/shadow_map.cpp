@@ -1,6 +1,7 @@
 // Takes a size; gives a frame buffer without colour.
 #include "client/render/shadow_map.h"
 
+#include <array>
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace billiards::client {
@@ -11,8 +12,10 @@ ShadowMap::ShadowMap(int pixels) : pixels_(pixels) {
                  GL_FLOAT, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+    constexpr std::array<GLfloat, 4> kFarAway{1.0F, 1.0F, 1.0F, 1.0F};
+    glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, kFarAway.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depths_.name(), 0);
@@ -49,6 +52,12 @@ glm::mat4 lamp_view_projection(const glm::vec3& lamp, const glm::vec2& half_tabl
     return glm::perspective(2 * glm::atan(half_m.y / lamp.z), half_m.x / half_m.y, kNear_m,
                             lamp.z + kBelowBed_m) *
            glm::lookAt(lamp, glm::vec3(lamp.x, lamp.y, 0.0F), glm::vec3(0.0F, 1.0F, 0.0F));
+}
+
+glm::mat4 to_shadow_map(const glm::vec3& lamp, const glm::vec2& half_table_m) {
+    const glm::vec3 half(0.5F);
+    return glm::translate(glm::mat4(1.0F), half) * glm::scale(glm::mat4(1.0F), half) *
+           lamp_view_projection(lamp, half_table_m);
 }
 
 }  // namespace billiards::client

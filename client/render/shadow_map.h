@@ -26,5 +26,7 @@ class ShadowMap {
 
 /// What a lamp at `lamp` above the middle of the table sees of it.
 glm::mat4 lamp_view_projection(const glm::vec3& lamp, const glm::vec2& half_table_m);
+/// The same, for textureProj: from 0 to 1 across the map.
+glm::mat4 to_shadow_map(const glm::vec3& lamp, const glm::vec2& half_table_m);
 
 }  // namespace billiards::client

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kCells = 8;
 constexpr int kCellPixels = 16;
-constexpr std::array<Colour, kCells> kColours{{{0.105, 0.085, 0.075},
-                                               {0.060, 0.055, 0.052},
+constexpr std::array<Colour, kCells> kColours{{{0.205, 0.160, 0.130},
+                                               {0.095, 0.080, 0.070},
                                                {0.012, 0.012, 0.012},
                                                {0.930, 0.915, 0.865},
                                                {0.030, 0.060, 0.050},
