@@ -174,7 +174,7 @@ std::string what_was_done(const match::MatchState& was, const server::MatchMoved
         const bool draw = is.offer->kind == match::OfferKind::Draw;
         return draw ? "offers a draw" : "offers to play the rack again";
     }
-    const bool answered = was.offer && was.offer->by != moved.seat;
+    const bool answered = was.offer && !is.offer && was.offer->by != moved.seat;
     if (answered && is.turn == was.turn) return "declines";
     if (answered && is.rack.phase == rules::Phase::Break) return "agrees to play the rack again";
     if (is.claim && !was.claim) return "claims a stalemate";
@@ -223,10 +223,12 @@ std::string tell(const TableView& before, const server::MatchMoved& moved) {
         return fmt::format("{} {}", who, last_words(moved.after));
     }
     const std::string what = what_was_done(before.match.value_or(match::MatchState{}), moved);
+    const std::string points = moved.verdict ? score_of(before, *moved.verdict) : "";
     const std::string next = short_name(before, moved.after.to_act);
     const bool is_break = moved.after.rack.phase == rules::Phase::Break;
-    return fmt::format("{} {}; {} to {}{}", who, what, next, is_break ? "break" : "play",
-                       is_break ? "" : in_hand(moved.after.rack.in_hand));
+    const std::string follows = fmt::format("{} to {}{}", next, is_break ? "break" : "play",
+                                            is_break ? "" : in_hand(moved.after.rack.in_hand));
+    return joined({fmt::format("{} {}", who, what), points, follows});
 }
 
 std::string narrate(const TableView& before, const server::MatchOver& over) {

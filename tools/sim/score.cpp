@@ -42,13 +42,19 @@ const char* name_of(match::BreakOrder order) {
     return "";
 }
 
+/// At straight pool a rack is won by points.
+std::string points_of(const match::Settings& settings) {
+    if (settings.game != rules::Game::StraightPool) return "";
+    return fmt::format("{} points, ", settings.options.target_points);
+}
+
 void print(const replay::Header& header, std::ostream& out) {
     const match::Settings& settings = header.settings;
     const bool is_classic = settings.physics == match::PhysicsPreset::Classic;
     fmt::print(out, "{} - {}\n", header.players[Seat::First], header.players[Seat::Second]);
-    fmt::print(out, "{}, race to {}, {}, {}, {} physics\n", word_of(settings.game),
-               settings.race_to, name_of(settings.break_order), name_of(settings.table),
-               is_classic ? "classic" : "realistic");
+    fmt::print(out, "{}, {}race to {}, {}, {}, {} physics\n", word_of(settings.game),
+               points_of(settings), settings.race_to, name_of(settings.break_order),
+               name_of(settings.table), is_classic ? "classic" : "realistic");
     if (!header.table.empty()) fmt::print(out, "table \"{}\", ", header.table);
     if (header.started_s != 0) {
         fmt::print(out, "{:%Y-%m-%d %H:%M} UTC, ", fmt::gmtime(std::time_t{header.started_s}));

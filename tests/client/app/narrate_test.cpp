@@ -230,6 +230,15 @@ TEST(Narrate, AClockThatRanOut) {
               "rack 1, after shot 4: Ada#12ab ran out of time; Grace to play with ball in hand");
 }
 
+TEST(Narrate, AClockThatCostPoints) {
+    TableView before = table_before(Phase::Groups);
+    before.match->rack.scores = {{0, 12}};
+    server::MatchMoved moved = told::moved(2, Seat::First, told::match_at(8, Seat::Second, 6));
+    moved.verdict = verdict(Reason::ClockRanOut, Seat::Second);
+    moved.verdict->score_change[Seat::First] = -1;
+    EXPECT_EQ(tell(before, moved), "Ada#12ab ran out of time; points -1 to 12; Grace to play");
+}
+
 /// What the first seat does in turn 7, which leaves the match so.
 std::string moved_to(const match::MatchState& after) {
     const server::MatchMoved moved = told::moved(2, Seat::First, after);
@@ -264,6 +273,11 @@ TEST(Narrate, AnAnswerToAnOffer) {
     before.match->offer = {match::OfferKind::Stalemate, Seat::Second};
     server::MatchMoved moved = told::moved(2, Seat::First, told::match_at(7, Seat::First, 6));
     EXPECT_EQ(tell(before, moved), "Ada#12ab declines; Ada to play");
+    moved.after.offer = before.match->offer;
+    moved.after.claim.emplace();
+    EXPECT_EQ(tell(before, moved), "Ada#12ab claims a stalemate; Ada to play") << "it still stands";
+    moved.after.offer.reset();
+    moved.after.claim.reset();
     moved.after.turn = {8};
     moved.after.rack.phase = rules::Phase::Break;
     EXPECT_EQ(tell(before, moved), "Ada#12ab agrees to play the rack again; Ada to break");

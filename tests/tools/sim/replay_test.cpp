@@ -87,10 +87,12 @@ std::string content_of(const replay::Replay& replay) {
 }
 
 /// A match of these commands, each by its seat; none is a shot.
-Ran run_on_match_of(const std::vector<std::pair<model::Seat, match::Command>>& commands) {
+Ran run_on_match_of(const std::vector<std::pair<model::Seat, match::Command>>& commands,
+                    const match::Settings& settings = {}) {
     const support::TemporaryFolder folder;
     const fs::path file = folder.path() / "match.billiards";
     replay::Replay replay;
+    replay.header.settings = settings;
     replay.header.players = {{"Ada#3f21", "Grace#84ac"}};
     for (const auto& [seat, command] : commands) {
         replay.entries.emplace_back();
@@ -111,6 +113,14 @@ TEST(Replay, TellsHowAMatchEndedWithoutAShot) {
     EXPECT_THAT(drawn.out, HasSubstr("\nthe match is drawn 0-0\n"));
     const Ran conceded = run_on_match_of({{model::Seat::First, match::Concede{}}});
     EXPECT_THAT(conceded.out, HasSubstr("\nGrace wins the match 0-0: Ada conceded\n"));
+}
+
+TEST(Replay, OfStraightPoolTellsThePointsOfARack) {
+    match::Settings settings;
+    settings.game = rules::Game::StraightPool;
+    settings.options.target_points = 25;
+    const Ran ran = run_on_match_of({{model::Seat::First, match::Concede{}}}, settings);
+    EXPECT_THAT(ran.out, HasSubstr("\nstraight-pool, 25 points, race to 3, "));
 }
 
 TEST_F(SpoiltReplay, OfAnOldEngineIsPrintedButNotVerified) {
