@@ -50,6 +50,11 @@ double coupling(std::span<const Body> bodies, const Contact& i, const Contact& j
     return signs * glm::dot(i.normal, as_free(moved, j.normal)) * moved.inverse_mass_pkg();
 }
 
+/// A spin that is only drawn must not push: it has no energy to give.
+void forget_spins(std::span<Body> bodies) {
+    for (Body& body : bodies) body.state.spin_radps = {};
+}
+
 double energy_of(const Parameters& parameters, std::span<const Body> bodies) {
     std::array<double, model::kMaxBalls> energies{};
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -72,6 +77,7 @@ int IslandSolver::solve(std::span<Body> bodies, std::span<Contact> contacts, con
     Resting still_resting = resting;
     while (rounds < max_rounds && find_closing(bodies, contacts)) {
         ++rounds;
+        if (parameters_.rolls_at_once) forget_spins(bodies);
         find_impulses(bodies, contacts);
         if (is_slow(contacts, resting.floor_mps)) {
             part_slowly(bodies, contacts, still_resting);

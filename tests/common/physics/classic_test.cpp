@@ -160,6 +160,17 @@ TEST(Classic, BallsGlideAtAConstantDecelerationAndStopAtOneCentimetreASecond) {
         << "drawn rolling";
 }
 
+TEST(Classic, SpinThatIsOnlyDrawnPushesNoBallThroughAFrictionOfAnotherModel) {
+    Parameters rough = classic_parameters();
+    rough.cushion = CushionModel::Han2005;
+    BallStart falling = ball_at(1, {0, kHalf_m.y - kRadius_m}, {0, 0}, {100, 200, 300});
+    falling.position_m.z = 0.08;
+    Diagnostics diagnostics;
+    const auto record = solved(closed_table(), rough, {falling}, &diagnostics);
+    EXPECT_FALSE(events_of(record, EventKind::Cushion).empty());
+    EXPECT_LE(diagnostics.max_energy_rise_j, 1e-12);
+}
+
 TEST(Classic, EqualBallsExchangeTheirNormalSpeeds) {
     const auto record = solved(model::open_table(), classic_parameters(),
                                {ball_at(0, {-2 * kRadius_m, 0}, {1, 0.5}), ball_at(1, {0, 0})});
