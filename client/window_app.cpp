@@ -154,9 +154,7 @@ void WindowApp::take_key(const SDL_KeyboardEvent& key) {
     ImGui::GetIO().KeyCtrl = (key.keysym.mod & KMOD_CTRL) != 0;
     if (key.type != SDL_KEYDOWN || key.repeat != 0) return;
     if (key.keysym.scancode == SDL_SCANCODE_F11) {
-        const bool is_full =
-            (SDL_GetWindowFlags(window_.sdl()) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
-        SDL_SetWindowFullscreen(window_.sdl(), is_full ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
+        window_.toggle_full_screen();
     } else if (key.keysym.scancode == SDL_SCANCODE_F1) {
         screen_.menu.is_open = true;
         screen_.menu.page = MenuPage::Help;

@@ -72,6 +72,18 @@ Window::Size Window::drawable_size() const {
     return size;
 }
 
+void Window::toggle_full_screen() {
+    Size& before = size_before_full_screen_;
+    if ((SDL_GetWindowFlags(window_.get()) & SDL_WINDOW_FULLSCREEN_DESKTOP) == 0) {
+        SDL_GetWindowSize(window_.get(), &before.width, &before.height);
+        SDL_SetWindowFullscreen(window_.get(), SDL_WINDOW_FULLSCREEN_DESKTOP);
+    } else {
+        SDL_SetWindowFullscreen(window_.get(), 0);
+        // SDL leaves that to the window manager, and there may be none.
+        SDL_SetWindowSize(window_.get(), before.width, before.height);
+    }
+}
+
 int Window::refresh_rate() const {
     constexpr int kUsual = 60;
     SDL_DisplayMode mode{};

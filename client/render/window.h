@@ -38,6 +38,9 @@ class Window {
     /// In pixels of the frame buffer, which may be more than the units that the mouse has.
     Size drawable_size() const;
 
+    /// Fills the screen, and the next time is as large as it was before.
+    void toggle_full_screen();
+
     /// Pictures a second of the screen that it is on.
     int refresh_rate() const;
 
@@ -61,6 +64,7 @@ class Window {
     Library library_;
     std::unique_ptr<SDL_Window, CloseWindow> window_;
     std::unique_ptr<void, DeleteContext> context_;
+    Size size_before_full_screen_;  ///< In the mouse's units.
 };
 
 }  // namespace billiards::client

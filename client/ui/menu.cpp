@@ -2,6 +2,7 @@
 // page where it was asked.
 #include "client/ui/menu.h"
 
+#include <SDL.h>
 #include <array>
 #include <charconv>
 #include <fmt/format.h>
@@ -271,6 +272,9 @@ void draw_menu(Screen& screen) {
     if (has_gone && !screen.menu.is_open) {
         screen.menu.trouble = "No connection: " + screen.game.lost();
         screen.menu.is_open = true;
+    }
+    if (screen.game.known().table && ImGui::IsKeyPressed(SDL_SCANCODE_ESCAPE, false)) {
+        screen.menu.is_open = false;
     }
     if (!screen.menu.is_open) return;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
