@@ -49,16 +49,21 @@ double depth_share(const RailPlan& rail, const Vec2& place) {
     return (glm::dot(rail.into, place) - rail.back_m) / rail.width_m + 1.0;
 }
 
+/// The facing at this end of the rail: a side pocket's is turned more than a corner's.
+const EdgePoint& facing_beside(const RailPlan& rail, const EdgePoint& point) {
+    const bool is_first = glm::dot(point.normal, rail.along) > 0;
+    return is_first ? rail.nose.front() : rail.nose.back();
+}
+
 /// 1 where the outline faces the table, 0 at the facings, which have no undercut.
 double facing_table(const RailPlan& rail, const EdgePoint& point) {
-    const double at_facing = glm::dot(rail.nose.front().normal, rail.into);
+    const double at_facing = glm::dot(facing_beside(rail, point).normal, rail.into);
     return (glm::dot(point.normal, rail.into) - at_facing) / (1.0 - at_facing);
 }
 
 /// The direction of the facing at this end of the rail, as long as takes it one metre deep.
 Vec2 along_facing(const RailPlan& rail, const EdgePoint& point) {
-    const bool is_first = glm::dot(point.normal, rail.along) > 0;
-    const EdgePoint& facing = is_first ? rail.nose.front() : rail.nose.back();
+    const EdgePoint& facing = facing_beside(rail, point);
     const Vec2 outwards{-facing.normal.y, facing.normal.x};
     return outwards / glm::dot(outwards, rail.into);
 }
@@ -135,7 +140,7 @@ void add_shade(Mesh& mesh, const RailPlan& rail) {
     for (auto point = rail.nose.rbegin(); point != rail.nose.rend(); ++point) {
         const double straight = std::max(0.0, facing_table(rail, *point));
         const auto place = [&](double inset_m) {
-            return Vec3(behind(*point, inset_m), kShadeAboveCloth_m);
+            return Vec3(point->place_m + inset_m * rail.into, kShadeAboveCloth_m);
         };
         behind_nose.push_back({place(straight * kUndercut_m), {0.5, 0.5}});
         before_nose.push_back({place(-straight * kShade_m), {0.5, 1.0}});

@@ -165,7 +165,8 @@ TEST_P(DrawnTable, FacesUpWhereItIsSeenFromAbove) {
 }
 
 TEST_P(DrawnTable, ShadesTheBedJustAboveIt) {
-    for (const client::Vertex& vertex : shade_meshes(table()).front().vertices) {
+    const Mesh shade = shade_meshes(table()).front();
+    for (const client::Vertex& vertex : shade.vertices) {
         EXPECT_GT(vertex.position_m.z, 0.0F);
         EXPECT_LT(vertex.position_m.z, 0.0003F);
     }
@@ -176,6 +177,16 @@ TEST_P(DrawnTable, StaysWhatItIsWhenTurnedByHalfATurn) {
     const Mesh& cushions = named(meshes, "cushions");
     for (const client::Vertex& vertex : cushions.vertices) {
         EXPECT_TRUE(has_vertex(cushions, -seen_from_above(vertex), vertex.position_m.z));
+    }
+}
+
+TEST_P(DrawnTable, StaysWhatItIsInAMirror) {
+    const auto meshes = cushion_meshes(table());
+    const Mesh& cushions = named(meshes, "cushions");
+    for (const client::Vertex& vertex : cushions.vertices) {
+        const Vec2 mirrored = Vec2(-1, 1) * seen_from_above(vertex);
+        EXPECT_TRUE(has_vertex(cushions, mirrored, vertex.position_m.z))
+            << mirrored.x << ' ' << mirrored.y;
     }
 }
 
