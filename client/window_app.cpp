@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <backends/imgui_impl_opengl3.h>
 #include <backends/imgui_impl_sdl.h>
+#include <ctime>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <stdexcept>
@@ -92,6 +93,8 @@ WindowApp::WindowApp(const WindowAppOptions& options)
         screen_.game.connect(*options.server, options.name,
                              options.errand.value_or(Errand{LookAround{}}));
         screen_.menu.page = MenuPage::Tables;
+        screen_.menu.address = to_text(*options.server);
+        screen_.menu.watches = options.watches;
         screen_.menu.is_open = !options.errand;
     }
 }
@@ -260,6 +263,7 @@ bool WindowApp::stage_scene(const Frame& frame) {
 void WindowApp::measure_frames() {
     glFinish();
     const base::Instant began = local_now();
+    const std::clock_t worked = std::clock();
     for (int i = 0; i < options_.frames; ++i) {
         screen_.now = local_now();
         screen_.game.advance(screen_.now);
@@ -268,9 +272,10 @@ void WindowApp::measure_frames() {
     }
     glFinish();
     const double each_ms = 1000 * base::seconds(local_now() - began) / options_.frames;
+    const double work_ms = 1000.0 * static_cast<double>(std::clock() - worked) / CLOCKS_PER_SEC;
     const Window::Size size = window_.drawable_size();
-    fmt::print("{} frames of {}x{}: {:.2f} ms each\n", options_.frames, size.width, size.height,
-               each_ms);
+    fmt::print("{} frames of {}x{}: {:.1f} ms each, and {:.1f} ms of processor time\n",
+               options_.frames, size.width, size.height, each_ms, work_ms / options_.frames);
 }
 
 }  // namespace billiards::client
