@@ -86,7 +86,8 @@ class Limits {
 Fault fault_of(const protocol::DecodeError& error, std::string_view where) {
     const bool is_newer = error.code == protocol::DecodeErrorCode::UnknownKind;
     return {is_newer ? FaultCode::Newer : FaultCode::Invalid,
-            fmt::format("{}: {}{}", where, is_newer ? "from a newer version of this program: " : "",
+            fmt::format("{}: {}: {}", where,
+                        is_newer ? "from a newer version of this program" : "cannot be read",
                         error.detail)};
 }
 

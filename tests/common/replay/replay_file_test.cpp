@@ -7,6 +7,7 @@
 #include "tests/common/replay/bot_match.h"
 
 #include <algorithm>
+#include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <utility>
@@ -168,6 +169,9 @@ TEST(ReplayFile, WithoutAHeaderOrWithoutSenseIsInvalid) {
     expect_refused(file_of({blocks.back()}), FaultCode::Invalid, "header");
     expect_refused(file_of({{1, Bytes(3)}}), FaultCode::Invalid, "header");
     expect_refused(file_of({blocks[0], {2, Bytes(3)}}), FaultCode::Invalid, "entry 1: ");
+    const std::array<Bytes, 4> no_command{Bytes(5)};
+    expect_refused(file_of({blocks[0], {2, joined(no_command)}}), FaultCode::Invalid,
+                   "entry 1: cannot be read: ");
     expect_refused(file_of({blocks[0], blocks[1], {2, {}}}), FaultCode::Invalid, "entry 2: ");
 }
 
