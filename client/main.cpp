@@ -135,6 +135,7 @@ WindowAppOptions options_of(const Flags& flags) {
             throw std::runtime_error(
                 fmt::format("--server {}: an address looks like example.org:4747.", flags.server));
         }
+        options.watches = flags.watches;
         const auto role = flags.watches ? billiards::protocol::Role::Spectator
                                         : billiards::protocol::Role::Player;
         if (flags.table != 0) options.errand = GoToTable{{{flags.table}, role}};

@@ -30,6 +30,7 @@ struct WindowAppOptions {
     std::filesystem::path report;      ///< Empty: none.
     std::optional<Errand> errand;      ///< What to do at `server` at once.
     std::optional<ServerAddress> server;
+    bool watches = false;  ///< A table that is chosen there is watched, not played at.
 };
 
 class WindowApp {
