@@ -10,8 +10,9 @@
 
 namespace billiards::physics {
 
-/// How far bodies may overlap when a shot starts; they count as touching.
-inline constexpr double kMostOverlap_m = 1e-6;
+/// How far bodies may overlap when a shot starts; they count as touching. A micrometre, and what
+/// rounding may add to one in a ball's coordinates.
+inline constexpr double kMostOverlap_m = 1e-6 + 1e-12;
 
 // What lies beyond these is no game of billiards, and would strain the numbers of the engine.
 inline constexpr double kMostPosition_m = 100.0;

@@ -82,6 +82,16 @@ TEST(Validate, NamesWhatOverlaps) {
     EXPECT_EQ(error_of({ball_at(1, jaw + Vec2{0, 0.02})}).code, ErrorCode::Overlap);
 }
 
+TEST(Validate, TakesAnOverlapOfAMicrometreThatItsCoordinatesRoundUp) {
+    const double second = 2 * kRadius_m - 1e-6;
+    ASSERT_LT(second - kRadius_m - kRadius_m, -1e-6);
+    const double wall = 0.635 - kRadius_m + 1e-6;
+    ASSERT_LT(0.635 - wall - kRadius_m, -1e-6);
+    const std::vector<BallStart> balls{ball_at(1, {0, 0}), ball_at(2, {second, 0}),
+                                       ball_at(3, {0.3, wall})};
+    EXPECT_TRUE(simulate(nine_foot(), {}, balls).ok());
+}
+
 TEST(Validate, RefusesBallsOutsideTheTable) {
     EXPECT_EQ(error_of({ball_at(1, {5, 0})}), (Error{ErrorCode::OutsideTable, "ball 1"}));
     EXPECT_EQ(error_of({ball_at(1, {0.3, 0.635 + 0.1})}),
