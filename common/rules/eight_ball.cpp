@@ -1,9 +1,8 @@
 // Takes the facts of a shot at eight-ball; gives the ruling. Each kind of shot is one table of
 // rulings in order of rank: the first that applies is the verdict.
-#include "common/rules/eight_ball.h"
-
 #include "common/base/check.h"
 #include "common/model/rack.h"
+#include "common/rules/games.h"
 #include "common/rules/racking.h"
 #include "common/rules/ruling.h"
 #include "common/rules/standard_fouls.h"
@@ -149,8 +148,21 @@ Verdict judge_after_break(const RackState& state, const Options& options, const 
     return verdict;
 }
 
-}  // namespace
+class EightBall final : public Ruleset {
+  public:
+    model::Layout rack(const Options& options, const model::TableSpec& table, double radius_m,
+                       base::Random& random) const override;
+    model::BallSet legal_first_balls(const RackState& state) const override;
+    bool is_call_allowed(const RackState& state, const Options& options,
+                         const model::Call& call) const override;
+    Verdict judge(const RackState& state, const Options& options, const model::Call& call,
+                  const Facts& facts) const override;
+    Verdict judge_timeout(const RackState& state) const override;
+    Resolution resolve(const RackState& before, const Verdict& verdict,
+                       Choice choice) const override;
+};
 
+/// The 8 in the middle, one ball of each group at the rear corners, the rest at random.
 model::Layout EightBall::rack(const Options&, const model::TableSpec& table, double radius_m,
                               base::Random& random) const {
     constexpr std::array<std::size_t, 2> kRearCorners{10, 14};
@@ -206,6 +218,13 @@ Resolution EightBall::resolve(const RackState&, const Verdict& verdict, Choice c
     // However it was lost on the break: play goes on with it.
     if (!resolution.rerack) resolution.spotted.push_back(kEightBall);
     return resolution;
+}
+
+}  // namespace
+
+const Ruleset& eight_ball() {
+    static const EightBall rules;
+    return rules;
 }
 
 }  // namespace billiards::rules

@@ -1,8 +1,7 @@
 // Takes the facts of a shot at nine-ball; gives the ruling. What it shares with ten-ball is in
 // rotation.h.
-#include "common/rules/nine_ball.h"
-
 #include "common/model/rack.h"
+#include "common/rules/games.h"
 #include "common/rules/racking.h"
 #include "common/rules/rotation.h"
 
@@ -26,8 +25,21 @@ std::vector<Ruling> rulings_without_foul(const RackState& state, const Facts& fa
     };
 }
 
-}  // namespace
+class NineBall final : public Ruleset {
+  public:
+    model::Layout rack(const Options& options, const model::TableSpec& table, double radius_m,
+                       base::Random& random) const override;
+    model::BallSet legal_first_balls(const RackState& state) const override;
+    bool is_call_allowed(const RackState& state, const Options& options,
+                         const model::Call& call) const override;
+    Verdict judge(const RackState& state, const Options& options, const model::Call& call,
+                  const Facts& facts) const override;
+    Verdict judge_timeout(const RackState& state) const override;
+    Resolution resolve(const RackState& before, const Verdict& verdict,
+                       Choice choice) const override;
+};
 
+/// A diamond: the 1 at the apex, the 9 in the middle, the rest at random.
 model::Layout NineBall::rack(const Options& options, const model::TableSpec& table, double radius_m,
                              base::Random& random) const {
     using model::OnFootSpot;
@@ -58,6 +70,13 @@ Verdict NineBall::judge_timeout(const RackState& state) const {
 
 Resolution NineBall::resolve(const RackState&, const Verdict& verdict, Choice choice) const {
     return rotation_resolution(verdict, choice);
+}
+
+}  // namespace
+
+const Ruleset& nine_ball() {
+    static const NineBall rules;
+    return rules;
 }
 
 }  // namespace billiards::rules

@@ -1,10 +1,9 @@
 // Takes the facts of a shot at straight pool; gives the ruling: who plays, the points, and which
 // balls are racked again.
-#include "common/rules/straight_pool.h"
-
 #include "common/base/check.h"
 #include "common/model/rack.h"
 #include "common/rules/called_shot.h"
+#include "common/rules/games.h"
 #include "common/rules/racking.h"
 #include "common/rules/ruling.h"
 #include "common/rules/standard_fouls.h"
@@ -104,8 +103,21 @@ void bring_balls_back(Verdict& verdict, const RackState& state, const Facts& fac
     if (left.empty()) verdict.rerack = Rerack::Fifteen;
 }
 
-}  // namespace
+class StraightPool final : public Ruleset {
+  public:
+    model::Layout rack(const Options& options, const model::TableSpec& table, double radius_m,
+                       base::Random& random) const override;
+    model::BallSet legal_first_balls(const RackState& state) const override;
+    bool is_call_allowed(const RackState& state, const Options& options,
+                         const model::Call& call) const override;
+    Verdict judge(const RackState& state, const Options& options, const model::Call& call,
+                  const Facts& facts) const override;
+    Verdict judge_timeout(const RackState& state) const override;
+    Resolution resolve(const RackState& before, const Verdict& verdict,
+                       Choice choice) const override;
+};
 
+/// A triangle of fifteen, in random order.
 model::Layout StraightPool::rack(const Options&, const model::TableSpec& table, double radius_m,
                                  base::Random& random) const {
     return racked_layout(shuffled_balls(15, random), model::triangle_positions(table, radius_m));
@@ -155,6 +167,13 @@ Resolution StraightPool::resolve(const RackState&, const Verdict& verdict, Choic
     resolution.next_player = resolution.rerack ? opponent_of(self) : self;
     resolution.in_hand = resolution.rerack ? Zone::BehindHeadString : verdict.in_hand;
     return resolution;
+}
+
+}  // namespace
+
+const Ruleset& straight_pool() {
+    static const StraightPool rules;
+    return rules;
 }
 
 }  // namespace billiards::rules

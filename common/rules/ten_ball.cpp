@@ -1,9 +1,8 @@
 // Takes the facts of a shot at ten-ball; gives the ruling. What it shares with nine-ball is in
 // rotation.h.
-#include "common/rules/ten_ball.h"
-
 #include "common/model/rack.h"
 #include "common/rules/called_shot.h"
+#include "common/rules/games.h"
 #include "common/rules/racking.h"
 #include "common/rules/rotation.h"
 
@@ -43,8 +42,21 @@ std::vector<Ruling> turn_rulings(const RackState& state, const Options& options,
     };
 }
 
-}  // namespace
+class TenBall final : public Ruleset {
+  public:
+    model::Layout rack(const Options& options, const model::TableSpec& table, double radius_m,
+                       base::Random& random) const override;
+    model::BallSet legal_first_balls(const RackState& state) const override;
+    bool is_call_allowed(const RackState& state, const Options& options,
+                         const model::Call& call) const override;
+    Verdict judge(const RackState& state, const Options& options, const model::Call& call,
+                  const Facts& facts) const override;
+    Verdict judge_timeout(const RackState& state) const override;
+    Resolution resolve(const RackState& before, const Verdict& verdict,
+                       Choice choice) const override;
+};
 
+/// A triangle of four rows: the 1 at the apex, the 10 in the middle, the rest at random.
 model::Layout TenBall::rack(const Options&, const model::TableSpec& table, double radius_m,
                             base::Random& random) const {
     std::vector<BallId> balls = shuffled_balls(10, random);
@@ -77,6 +89,13 @@ Verdict TenBall::judge_timeout(const RackState& state) const {
 
 Resolution TenBall::resolve(const RackState&, const Verdict& verdict, Choice choice) const {
     return rotation_resolution(verdict, choice);
+}
+
+}  // namespace
+
+const Ruleset& ten_ball() {
+    static const TenBall rules;
+    return rules;
 }
 
 }  // namespace billiards::rules

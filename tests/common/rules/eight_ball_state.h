@@ -2,16 +2,12 @@
 // are set.
 #pragma once
 
-#include "common/rules/ruleset.h"
+#include "common/rules/games.h"
 #include "tests/common/rules/told_shot.h"
 
 #include <initializer_list>
 
 namespace billiards::rules {
-
-inline const Ruleset& eight_ball() {
-    return ruleset_of(Game::EightBall);
-}
 
 inline RackState at_break() {
     RackState state;

@@ -1,6 +1,5 @@
 // Takes told shots at nine-ball; gives whether breaks, turns and the 9 are ruled as the rules say.
-#include "common/rules/nine_ball.h"
-
+#include "common/rules/games.h"
 #include "tests/common/rules/rotation_state.h"
 #include "tests/common/rules/ruling_case.h"
 
@@ -10,10 +9,6 @@ namespace billiards::rules {
 namespace {
 
 using model::NoCall;
-
-const Ruleset& nine_ball() {
-    return ruleset_of(Game::NineBall);
-}
 
 const RackState kBreak = before_break_of(kNineBalls);
 const RackState kFull = with_balls(kNineBalls);

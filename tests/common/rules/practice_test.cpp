@@ -1,6 +1,5 @@
 // Takes told shots at practice; gives whether nobody is judged.
-#include "common/rules/practice.h"
-
+#include "common/rules/games.h"
 #include "tests/common/rules/eight_ball_state.h"
 #include "tests/common/rules/ruling_case.h"
 
@@ -10,10 +9,6 @@ namespace billiards::rules {
 namespace {
 
 using model::NoCall;
-
-const Ruleset& practice() {
-    return ruleset_of(Game::Practice);
-}
 
 Ruled plays_on(Zone in_hand = Zone::None) {
     return {Reason::Practice, kShooter, {}, in_hand};

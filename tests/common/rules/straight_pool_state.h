@@ -1,14 +1,10 @@
 // Gives racks of straight pool to shoot at; the first seat shoots.
 #pragma once
 
-#include "common/rules/ruleset.h"
+#include "common/rules/games.h"
 #include "tests/common/rules/told_shot.h"
 
 namespace billiards::rules {
-
-inline const Ruleset& straight_pool() {
-    return ruleset_of(Game::StraightPool);
-}
 
 inline RackState opening() {
     RackState state;

@@ -1,6 +1,5 @@
 // Takes told shots at ten-ball; gives whether breaks, calls and the 10 are ruled as the rules say.
-#include "common/rules/ten_ball.h"
-
+#include "common/rules/games.h"
 #include "tests/common/rules/rotation_state.h"
 #include "tests/common/rules/ruling_case.h"
 
@@ -11,10 +10,6 @@ namespace {
 
 using model::NoCall;
 using model::Safety;
-
-const Ruleset& ten_ball() {
-    return ruleset_of(Game::TenBall);
-}
 
 const RackState kBreak = before_break_of(kTenBalls);
 const RackState kFull = with_balls(kTenBalls);
