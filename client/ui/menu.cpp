@@ -14,6 +14,7 @@ namespace billiards::client {
 namespace {
 
 constexpr std::array kTableSizes{"7 ft", "8 ft", "9 ft"};
+constexpr std::array kGames{"8-ball", "9-ball", "10-ball", "14.1"};
 
 ImVec2 wide(const Screen& screen) {
     return {340.0F * screen.scale, 44.0F * screen.scale};
@@ -42,6 +43,7 @@ protocol::client::CreateTable table_of(const MenuState& menu, protocol::Role rol
     protocol::client::CreateTable table;
     table.name = menu.name + "'s table";
     table.role = role;
+    table.settings.game = static_cast<rules::Game>(menu.game);
     table.settings.race_to = menu.race_to;
     table.settings.table = static_cast<model::TableSize>(menu.table_size);
     return table;
@@ -89,19 +91,26 @@ bool text_field(Screen& screen, const char* name, std::string& text) {
     return is_entered;
 }
 
+/// One of a few words, side by side.
+template <std::size_t kWords>
+void draw_row_of_words(Screen& screen, const char* title,
+                       const std::array<const char*, kWords>& words, int& chosen) {
+    ImGui::TextUnformatted(title);
+    for (std::size_t i = 0; i < kWords; ++i) {
+        if (i > 0) ImGui::SameLine();
+        ImGui::RadioButton(words[i], &chosen, static_cast<int>(i));
+        screen.controls.note(words[i]);
+    }
+}
+
 void draw_settings(Screen& screen) {
     MenuState& menu = screen.menu;
+    draw_row_of_words(screen, "Game", kGames, menu.game);
     ImGui::TextUnformatted("Race to");
     ImGui::SetNextItemWidth(wide(screen).x);
     ImGui::SliderInt("##race", &menu.race_to, 1, 15, "%d racks");
     screen.controls.note("Race to");
-    ImGui::TextUnformatted("Table");
-    for (int size = 0; size < static_cast<int>(kTableSizes.size()); ++size) {
-        if (size > 0) ImGui::SameLine();
-        const char* name = kTableSizes.at(static_cast<std::size_t>(size));
-        ImGui::RadioButton(name, &menu.table_size, size);
-        screen.controls.note(name);
-    }
+    draw_row_of_words(screen, "Table", kTableSizes, menu.table_size);
 }
 
 void draw_at_table(Screen& screen) {

@@ -26,6 +26,7 @@ struct MenuState {
     std::string name = "Player";
     std::string address = "127.0.0.1:4747";
     std::string port = "4747";
+    int game = 0;  ///< Of rules::Game.
     int race_to = 3;
     int table_size = 2;  ///< Of model::TableSize.
     bool is_for_others = false;
