@@ -3,6 +3,7 @@
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+#include <string>
 
 namespace billiards::client {
 
@@ -29,7 +30,12 @@ void ask_for_opengl() {
 Window::Library::Library(bool is_offscreen) {
     SDL_SetMainReady();
     if (is_offscreen) SDL_SetHint(SDL_HINT_VIDEODRIVER, "offscreen");
-    if (SDL_Init(SDL_INIT_VIDEO | SDL_INIT_EVENTS) != 0) {
+    const bool is_there = SDL_Init(SDL_INIT_VIDEO | SDL_INIT_EVENTS) == 0;
+    // With no display SDL would draw, unasked, what nobody sees.
+    const std::string driver = is_there ? SDL_GetCurrentVideoDriver() : "";
+    const bool is_seen = is_offscreen || (driver != "offscreen" && driver != "dummy");
+    if (!is_there || !is_seen) {
+        if (!is_seen) SDL_SetError("there is no display");
         cannot("No display can be opened",
                "With no display, --offscreen draws into pictures, and billiards-demo plays a match "
                "as text.");

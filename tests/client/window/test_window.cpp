@@ -43,14 +43,6 @@ bool is_held(const Json& shown, int button) {
     return std::ranges::count(shown.at("mouse").at("held"), Json(reported)) > 0;
 }
 
-/// The first button that the rules offer; empty: none.
-std::string offered(const Json& shown) {
-    for (const auto& [name, place] : shown.at("controls").items()) {
-        if (name == "Start" || name.starts_with("Choose ")) return name;
-    }
-    return "";
-}
-
 }  // namespace
 
 TestWindow::TestWindow(const std::vector<std::string>& options)
@@ -141,7 +133,8 @@ void TestWindow::release(const std::string& key) {
 void TestWindow::fill(const std::string& control, const std::string& text) {
     click(control);
     until("lets one type", [](const Json& shown) { return shown.at("typing").get<bool>(); });
-    tap("ctrl+a");
+    tap("Home");
+    tap("shift+End");
     hand({"type", text});
 }
 
@@ -167,6 +160,13 @@ Point TestWindow::pocket(int number) const {
     return point_of(seen_.at("table").at("on_screen").at("pockets").at(number));
 }
 
+std::string offered(const Json& shown) {
+    for (const auto& [name, place] : shown.at("controls").items()) {
+        if (name == "Start" || name.starts_with("Choose ")) return name;
+    }
+    return "";
+}
+
 bool may_shoot(const Json& shown) {
     return shown.at("acting").is_number() && shown.at("cue_ball").is_array() &&
            offered(shown).empty();
@@ -186,6 +186,12 @@ void until_turn(TestWindow& window) {
         window.until("takes " + button, [&](const Json& now) {
             return !now.at("controls").contains(button) || may_shoot(now);
         });
+    }
+}
+
+void aim_at_a_ball(TestWindow& window) {
+    for (const auto& [name, place] : window.seen().at("table").at("match").at("balls").items()) {
+        if (name != "0") return window.move(window.ball(std::stoi(name)));
     }
 }
 

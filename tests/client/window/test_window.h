@@ -88,5 +88,9 @@ void sit_down(TestWindow& window);
 /// Until somebody may shoot here; chooses what the rules offer, and starts the next match.
 void until_turn(TestWindow& window);
 bool may_shoot(const Json& shown);
+/// The first button that the rules offer instead of a shot; empty: none.
+std::string offered(const Json& shown);
+/// With the mouse, at the first object ball that lies.
+void aim_at_a_ball(TestWindow& window);
 
 }  // namespace billiards::client
