@@ -52,6 +52,7 @@ TEST_F(WindowPanel, PowerTypedBeyondTheCueIsAllOfIt) {
     window_.fill("Power", "7");
     window_.tap("Return");
     until_power(1.0);
+    window_.until("takes the number", [](const Json& shown) { return !shown.at("typing"); });
 }
 
 TEST_F(WindowPanel, PowerUpAddsAHundredth) {

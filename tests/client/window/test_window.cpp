@@ -133,8 +133,7 @@ void TestWindow::release(const std::string& key) {
 void TestWindow::fill(const std::string& control, const std::string& text) {
     click(control);
     until("lets one type", [](const Json& shown) { return shown.at("typing").get<bool>(); });
-    tap("Home");
-    tap("shift+End");
+    tap("ctrl+a");
     hand({"type", text});
 }
 

@@ -58,7 +58,7 @@ class TestWindow {
     void tap(const std::string& keys);
     void hold(const std::string& key);
     void release(const std::string& key);
-    /// Clears a field and types this.
+    /// Types over a number; into a text, wherever its cursor is.
     void fill(const std::string& control, const std::string& text);
     /// Notches of the wheel, above zero away from the hand.
     void wheel(int notches);
