@@ -249,7 +249,11 @@ void WindowApp::write_report() {
 }
 
 bool WindowApp::stage_scene(const Frame& frame) {
-    if (!(*options_.scene)(screen_) || ++frames_at_scene_ < kFramesUntilSettled) return false;
+    const bool is_there = (*options_.scene)(screen_);
+    for (const std::string& trouble : {screen_.menu.trouble, screen_.game.lost()}) {
+        if (!trouble.empty()) throw std::runtime_error(trouble);
+    }
+    if (!is_there || ++frames_at_scene_ < kFramesUntilSettled) return false;
     draw(frame);
     if (options_.frames > 0) {
         measure_frames();

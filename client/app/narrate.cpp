@@ -26,7 +26,7 @@ std::string listed(const std::vector<std::string>& items, std::string_view last 
 }
 
 std::string base_name(const std::string& name) {
-    return name.substr(0, name.find('#'));
+    return name.substr(0, name.rfind('#'));
 }
 
 std::string rack_and_shot(const TableView& before, int shots_played, std::string_view when) {

@@ -188,12 +188,16 @@ void draw_row(Screen& screen, const protocol::server::TableRow& row) {
     const bool has_room = !row.seats[Seat::First].taken || !row.seats[Seat::Second].taken;
     const bool watches = screen.menu.watches || !has_room;
     const std::string text =
-        fmt::format("{}:  {} {} - {} {}   race to {}, {} watching##{}", row.name,
-                    name_of(Seat::First), row.racks_won[Seat::First], row.racks_won[Seat::Second],
-                    name_of(Seat::Second), row.settings.race_to, row.spectators, row.table.value);
-    if (ImGui::Selectable(text.c_str(), false, 0, {0.0F, 30.0F * screen.scale})) {
+        fmt::format("{}:  {} {} - {} {}   race to {}, {} watching", row.name, name_of(Seat::First),
+                    row.racks_won[Seat::First], row.racks_won[Seat::Second], name_of(Seat::Second),
+                    row.settings.race_to, row.spectators);
+    // Apart from its text: ImGui shows nothing after "##", and names may have that.
+    const std::string id = fmt::format("##{}", row.table.value);
+    if (ImGui::Selectable(id.c_str(), false, 0, {0.0F, 30.0F * screen.scale})) {
         screen.game.join(row.table, watches ? protocol::Role::Spectator : protocol::Role::Player);
     }
+    ImGui::GetWindowDrawList()->AddText(ImGui::GetItemRectMin(), ImGui::GetColorU32(ImGuiCol_Text),
+                                        text.c_str());
     screen.controls.note(fmt::format("Table {}", row.table.value));
 }
 
