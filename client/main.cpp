@@ -1,6 +1,8 @@
 // Takes the command line; opens the window.
 #include "client/net/clock.h"
 #include "client/window_app.h"
+#include "common/protocol/limits.h"
+#include "common/protocol/text.h"
 
 #include <CLI/CLI.hpp>
 #include <SDL.h>
@@ -116,6 +118,12 @@ WindowAppOptions options_of(const Flags& flags) {
     options.window = window_of(flags);
     options.assets = assets_folder(flags);
     options.data = data_folder(flags);
+    const auto shown =
+        billiards::protocol::clean_text(flags.name, billiards::protocol::kMaxNameLength);
+    if (!shown || shown->empty()) {
+        throw std::runtime_error(fmt::format("--name {}: a name has 1 to {} letters or signs.",
+                                             flags.name, billiards::protocol::kMaxNameLength));
+    }
     options.name = flags.name;
     options.seed = std::random_device()();
     options.report = flags.report;

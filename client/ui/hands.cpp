@@ -211,6 +211,7 @@ void Hands::handle_keys(Screen& screen) {
         hold_ = Hold::Nothing;
     } else if (pressed(SDL_SCANCODE_ESCAPE)) {
         screen.menu.is_open = true;
+        screen.menu.page = MenuPage::Main;
     }
 }
 

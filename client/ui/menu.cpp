@@ -2,6 +2,9 @@
 // page where it was asked.
 #include "client/ui/menu.h"
 
+#include "common/protocol/limits.h"
+#include "common/protocol/text.h"
+
 #include <SDL.h>
 #include <array>
 #include <charconv>
@@ -49,9 +52,19 @@ protocol::client::CreateTable table_of(const MenuState& menu, protocol::Role rol
     return table;
 }
 
+/// Says so where a server would refuse the name.
+bool has_name(MenuState& menu) {
+    const auto shown = protocol::clean_text(menu.name, protocol::kMaxNameLength);
+    if (shown && !shown->empty()) return true;
+    menu.trouble = fmt::format("\"{}\" is no name; one has 1 to {} letters or signs.", menu.name,
+                               protocol::kMaxNameLength);
+    return false;
+}
+
 /// Starts a server in this process and sits down at a new table there.
 void start_server(Screen& screen, const LocalServerOptions& options, protocol::Role role) {
     MenuState& menu = screen.menu;
+    if (!has_name(menu)) return;
     try {
         screen.game.disconnect();
         screen.server.reset();
@@ -66,6 +79,7 @@ void start_server(Screen& screen, const LocalServerOptions& options, protocol::R
 
 void go_to_server(Screen& screen) {
     MenuState& menu = screen.menu;
+    if (!has_name(menu)) return;
     const auto address = parse_address(menu.address);
     if (!address) {
         menu.trouble =
@@ -193,11 +207,11 @@ void draw_row(Screen& screen, const protocol::server::TableRow& row) {
                     row.settings.race_to, row.spectators);
     // Apart from its text: ImGui shows nothing after "##", and names may have that.
     const std::string id = fmt::format("##{}", row.table.value);
+    const ImVec2 place = ImGui::GetCursorScreenPos();
     if (ImGui::Selectable(id.c_str(), false, 0, {0.0F, 30.0F * screen.scale})) {
         screen.game.join(row.table, watches ? protocol::Role::Spectator : protocol::Role::Player);
     }
-    ImGui::GetWindowDrawList()->AddText(ImGui::GetItemRectMin(), ImGui::GetColorU32(ImGuiCol_Text),
-                                        text.c_str());
+    ImGui::GetWindowDrawList()->AddText(place, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
     screen.controls.note(fmt::format("Table {}", row.table.value));
 }
 

@@ -94,6 +94,18 @@ TEST_F(WindowErrors, APictureThatCannotBeWritten) {
     expect_told(run({"--offscreen", "--screenshot", picture}), picture);
 }
 
+TEST_F(WindowErrors, ASceneWithNoFolderToPlayIn) {
+    const fs::path data = folder_.path() / "data";
+    std::ofstream(data) << "no folder";
+    expect_told(draw({"--scene", "rack"}), data.string());
+}
+
+TEST_F(WindowErrors, ANameThatNoServerTakes) {
+    for (const std::string& name : {std::string(100, 'x'), std::string(" "), std::string()}) {
+        expect_told(draw({"--name", name}), "--name " + name);
+    }
+}
+
 /// A copy of the models and textures, to be damaged.
 class WindowAssets : public WindowErrors {
   protected:
