@@ -156,7 +156,8 @@ Point TestWindow::ball(int number) const {
 }
 
 Point TestWindow::pocket(int number) const {
-    return point_of(seen_.at("table").at("on_screen").at("pockets").at(number));
+    return point_of(
+        seen_.at("table").at("on_screen").at("pockets").at(static_cast<std::size_t>(number)));
 }
 
 std::string offered(const Json& shown) {
