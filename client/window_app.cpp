@@ -90,12 +90,11 @@ WindowApp::WindowApp(const WindowAppOptions& options)
         }
     }
     if (options.server) {
-        screen_.game.connect(*options.server, options.name,
-                             options.errand.value_or(Errand{LookAround{}}));
+        screen_.game.connect(*options.server, options.name, options.errand);
         screen_.menu.page = MenuPage::Tables;
         screen_.menu.address = to_text(*options.server);
         screen_.menu.watches = options.watches;
-        screen_.menu.is_open = !options.errand;
+        screen_.menu.is_open = std::holds_alternative<LookAround>(options.errand);
     }
 }
 

@@ -28,7 +28,7 @@ struct WindowAppOptions {
     int frames = 0;                    ///< Above 0: not a picture, but so many timed ones.
     std::filesystem::path pictures;    ///< Folder for a watched match's; empty: none.
     std::filesystem::path report;      ///< Empty: none.
-    std::optional<Errand> errand;      ///< What to do at `server` at once.
+    Errand errand;                     ///< What to do at `server` at once.
     std::optional<ServerAddress> server;
     bool watches = false;  ///< A table that is chosen there is watched, not played at.
 };
