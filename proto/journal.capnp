@@ -37,6 +37,7 @@ struct Command {
     undo @18 :Void;
     repeat @19 :Void;
     rerack @20 :Void;
+    forfeit @21 :Void;
   }
 }
 

@@ -23,15 +23,44 @@ enum RefusedCode {
   storageFailed @12;
   shuttingDown @13;
   match @14;
+  notOwner @15;
+  wrongSecret @16;
+  notAllowed @17;
+  unknownPlayer @18;
+  unknownMatch @19;
+  busy @20;
 }
 
-enum NoticeCode { shuttingDown @0; tableClosed @1; replacedByNewConnection @2; }
+enum NoticeCode { shuttingDown @0; tableClosed @1; replacedByNewConnection @2; kicked @3; }
+
+enum Ending { played @0; conceded @1; claimed @2; abandoned @3; }
+
+enum Move {
+  choice @0;
+  timeout @1;
+  concession @2;
+  forfeit @3;
+  extension @4;
+  offer @5;
+  acceptance @6;
+  rejection @7;
+  stalemateClaim @8;
+  spotting @9;
+  placing @10;
+  undoing @11;
+  repeating @12;
+  reracking @13;
+}
 
 struct SeatView {
   taken @0 :Bool;
   connected @1 :Bool;
   ready @2 :Bool;
   name @3 :Text;
+  claimable :union {
+    none @4 :Void;
+    us @5 :Int64;
+  }
 }
 
 struct TableRow {
@@ -46,6 +75,9 @@ struct TableRow {
   }
   playing @7 :Bool;
   spectators @8 :UInt32;
+  isPrivate @9 :Bool;
+  hasPasscode @10 :Bool;
+  owner @11 :Text;
 }
 
 struct Turn {
@@ -108,6 +140,69 @@ struct TableSnapshot {
   }
   turn @7 :Turn;
   serverTimeUs @8 :Int64;
+  stream @9 :UInt64;
+}
+
+struct Resumed {
+  table @0 :UInt32;
+  yourSeats @1 :List(Model.Seat);
+  serverTimeUs @2 :Int64;
+}
+
+struct TableChanged {
+  sequence @0 :UInt64;
+  row @1 :TableRow;
+}
+
+struct TableListChange {
+  changed @0 :List(TableRow);
+  gone @1 :List(UInt32);
+}
+
+struct InviteMade {
+  table @0 :UInt32;
+  playing @1 :Bool;  # Otherwise for watching.
+  secret @2 :Data;
+  expiresUs @3 :Int64;
+}
+
+struct HistoryRow {
+  match @0 :UInt64;
+  endedS @1 :Int64;
+  game @2 :Match.Game;
+  firstName @3 :Text;
+  secondName @4 :Text;
+  racksWon :group {
+    first @5 :UInt32;
+    second @6 :UInt32;
+  }
+  winner :union {
+    none @7 :Void;
+    seat @8 :Model.Seat;
+  }
+  shots @9 :UInt32;
+  ending @10 :Ending;
+}
+
+struct HistoryPage {
+  rows @0 :List(HistoryRow);
+  hasMore @1 :Bool;
+}
+
+struct PlayerRecord {
+  name @0 :Text;
+  games @1 :UInt32;
+  wins @2 :UInt32;
+  draws @3 :UInt32;
+  rating @4 :Float64;
+  deviation @5 :Float64;
+}
+
+struct ReplayChunk {
+  match @0 :UInt64;
+  first @1 :UInt64;
+  total @2 :UInt64;
+  messages @3 :List(Data);  # Each a ServerMessage of one segment.
 }
 
 struct SeatChanged {
@@ -155,6 +250,7 @@ struct MatchMoved {
   }
   after @6 :Match.MatchState;
   turn @7 :Turn;
+  move @8 :Move;
 }
 
 struct MatchOver {
@@ -167,6 +263,7 @@ struct MatchOver {
   shots @4 :UInt32;
   conceded @5 :Bool;
   undecided @6 :Bool;  # Nobody has won, whatever winner says.
+  ending @7 :Ending;
 }
 
 struct ChatSaid {
@@ -201,5 +298,12 @@ struct ServerMessage {
     chatSaid @12 :ChatSaid;
     notice @13 :Notice;
     pong @14 :Pong;
+    resumed @15 :Resumed;
+    tableChanged @16 :TableChanged;
+    tableListChange @17 :TableListChange;
+    inviteMade @18 :InviteMade;
+    historyPage @19 :HistoryPage;
+    playerRecord @20 :PlayerRecord;
+    replayChunk @21 :ReplayChunk;
   }
 }

@@ -9,6 +9,7 @@
 #include "server/ops/metrics.h"
 #include "server/store/data_folder.h"
 #include "server/store/sqlite_store.h"
+#include "server/store/threaded_archive.h"
 #include "server/store/threaded_committer.h"
 
 #include <algorithm>
@@ -111,6 +112,7 @@ struct Server::Parts {
     CommitMetrics commits;
     bool storage_failing = false;  ///< Of the store's thread.
     ThreadedCommitter committer;
+    ThreadedArchive archive;
     Lobby lobby;
     std::optional<HttpServer> http;
     std::vector<Endpoint> addresses;  ///< With the ports that were taken.
@@ -130,7 +132,9 @@ Server::Parts::Parts(const ServerConfig& configuration, spdlog::logger& logger)
           std::move(store),
           [this](auto answers) { loop.run([answers](Lobby&, base::Instant) { answers(); }); },
           [this](const CommitMeasured& one) { measured(one); }),
-      lobby(config.lobby, outbox, committer, system_random) {
+      archive(value_or_throw(open_sqlite_reader(folder.database_file())),
+              [this](auto answers) { loop.run([answers](Lobby&, base::Instant) { answers(); }); }),
+      lobby(config.lobby, outbox, committer, archive, system_random) {
     loop.attach(lobby, outbox);
 }
 

@@ -32,7 +32,7 @@ set(rooms
 
 # pattern in angle brackets: the only places that may include it.
 set(libraries
-    "^asio: server/net server/ops server/store/threaded_committer server/game_loop server/server server/main client/net tools/load tools/player tools/demo"
+    "^asio: server/net server/ops server/store/threaded_committer server/store/threaded_archive server/game_loop server/server server/main client/net tools/load tools/player tools/demo"
     "^(SQLiteCpp|sqlite3): server/store"
     "^(capnp|kj)/: common/protocol/codec"
     "^openssl/: server/session"

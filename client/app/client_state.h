@@ -30,6 +30,7 @@ struct ClockSample {
 /// A table as this client sees it.
 struct TableView {
     protocol::server::TableRow row;
+    std::uint64_t stream = 0;
     std::uint64_t sequence = 0;
     std::vector<model::Seat> my_seats;  ///< Empty: a spectator.
     std::optional<match::MatchState> match;
@@ -50,6 +51,9 @@ struct ClientState {
     std::vector<ChatLine> chat;  ///< The newest kChatKept lines.
     std::optional<protocol::server::Refused> last_refusal;
     std::optional<protocol::server::Notice> last_notice;
+    std::optional<protocol::server::InviteMade> last_invite;
+    std::optional<protocol::server::HistoryPage> last_history;
+    std::optional<protocol::server::PlayerRecord> last_record;
     std::vector<ClockSample> clock_samples;  ///< The newest kClockSamplesKept.
     /// Server time minus local time, from the fastest of the last pings; before the first pong a
     /// first guess from Welcome, late by the way it took.

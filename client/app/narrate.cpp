@@ -238,8 +238,9 @@ std::string narrate(const TableView& before, const server::MatchOver& over) {
                            over.racks_won[model::Seat::Second]);
     }
     const model::Seat loser = model::opponent_of(*over.winner);
-    const std::string how =
-        over.conceded ? fmt::format(": {} conceded", short_name(before, loser)) : std::string();
+    const std::string how = over.ending == server::Ending::Conceded
+                                ? fmt::format(": {} conceded", short_name(before, loser))
+                                : std::string();
     return fmt::format("{} wins the match {}-{}{}", full_name(before, *over.winner),
                        over.racks_won[*over.winner], over.racks_won[loser], how);
 }

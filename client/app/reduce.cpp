@@ -31,6 +31,7 @@ class Reduction {
 
     void on(const server::TableSnapshot& message) {
         TableView view{.row = message.row,
+                       .stream = message.stream,
                        .sequence = message.sequence,
                        .my_seats = message.your_seats,
                        .match = message.match,
@@ -129,6 +130,39 @@ class Reduction {
                                                })
                                   ->offset;
     }
+
+    void on(const server::Resumed& message) {
+        if (state_.table) state_.table->my_seats = message.your_seats;
+        guess_clock(message.server_time_us);
+    }
+
+    void on(const server::TableChanged& message) {
+        TableView* view = news(message.sequence);
+        if (view != nullptr) view->row = message.row;
+    }
+
+    void on(const server::TableListChange& message) {
+        std::erase_if(state_.tables, [&](const server::TableRow& row) {
+            return std::find(message.gone.begin(), message.gone.end(), row.table) !=
+                   message.gone.end();
+        });
+        for (const server::TableRow& changed : message.changed) {
+            const auto known = std::find_if(
+                state_.tables.begin(), state_.tables.end(),
+                [&](const server::TableRow& row) { return row.table == changed.table; });
+            if (known != state_.tables.end()) {
+                *known = changed;
+            } else {
+                state_.tables.insert(state_.tables.begin(), changed);
+            }
+        }
+    }
+
+    void on(const server::InviteMade& message) { state_.last_invite = message; }
+    void on(const server::HistoryPage& message) { state_.last_history = message; }
+    void on(const server::PlayerRecord& message) { state_.last_record = message; }
+    /// For whoever asked: a rewound match is another client's state than the live one.
+    void on(const server::ReplayChunk&) {}
 
   private:
     /// The table, where `sequence` is not older than what it has seen: after a reconnect an answer

@@ -149,6 +149,10 @@ class Fold {
         end_turn(match_);
         end_match(match_, is_practice() ? std::nullopt : std::optional(opponent_of(seat_)));
     }
+    void on(const Forfeit&) {
+        end_turn(match_);
+        end_match(match_, opponent_of(seat_));
+    }
     void on(const Extend&) { match_.extended_in[seat_] = match_.turn; }
     void on(const Offer& offer) { match_.offer = MatchState::StandingOffer{offer.kind, seat_}; }
     void on(const Answer& answer) {

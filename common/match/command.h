@@ -96,8 +96,15 @@ struct Rerack {
     friend bool operator==(Rerack, Rerack) = default;
 };
 
+/// From the table, on behalf of a seat whose player stayed away for too long, when the other seat
+/// claims the match. Whether that is so is the table's to know. It names no turn, as Concede.
+struct Forfeit {
+    friend bool operator==(Forfeit, Forfeit) = default;
+};
+
 /// Everything that can move a match on.
-using Command = std::variant<PlaceCueBall, TakeShot, Choose, Timeout, Concede, Extend, Offer,
-                             Answer, ClaimStalemate, SpotNearest, PlaceBall, Undo, Repeat, Rerack>;
+using Command =
+    std::variant<PlaceCueBall, TakeShot, Choose, Timeout, Concede, Extend, Offer, Answer,
+                 ClaimStalemate, SpotNearest, PlaceBall, Undo, Repeat, Rerack, Forfeit>;
 
 }  // namespace billiards::match

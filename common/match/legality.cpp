@@ -89,6 +89,7 @@ class Legality {
     }
 
     Checked on(const Concede&) const { return base::Done{}; }
+    Checked on(const Forfeit&) const { return is_match_of_two(); }
 
     Checked on(const Extend& command) const {
         if (Checked fresh = is_fresh(command.turn); !fresh) return fresh;

@@ -49,8 +49,10 @@ constexpr auto last_of(match::Stage) { return Last{match::Stage::Over, wire::Sta
 constexpr auto last_of(match::OfferKind) { return Last{match::OfferKind::Draw, wire::OfferKind::DRAW}; }
 constexpr auto last_of(match::RefusalCode) { return Last{match::RefusalCode::NothingToUndo, wire::RefusalCode::NOTHING_TO_UNDO}; }
 constexpr auto last_of(Role) { return Last{Role::BothSeats, wire::Role::BOTH_SEATS}; }
-constexpr auto last_of(RefusedCode) { return Last{RefusedCode::Match, wire::RefusedCode::MATCH}; }
-constexpr auto last_of(server::NoticeCode) { return Last{server::NoticeCode::ReplacedByNewConnection, wire::NoticeCode::REPLACED_BY_NEW_CONNECTION}; }
+constexpr auto last_of(RefusedCode) { return Last{RefusedCode::Busy, wire::RefusedCode::BUSY}; }
+constexpr auto last_of(server::NoticeCode) { return Last{server::NoticeCode::Kicked, wire::NoticeCode::KICKED}; }
+constexpr auto last_of(server::Move) { return Last{server::Move::Reracking, wire::Move::RERACKING}; }
+constexpr auto last_of(server::Ending) { return Last{server::Ending::Abandoned, wire::Ending::ABANDONED}; }
 // clang-format on
 
 template <class Ours>

@@ -48,6 +48,10 @@ void write(Out out, const match::Concede&) {
     out.setConcede();
 }
 
+void write(Out out, const match::Forfeit&) {
+    out.setForfeit();
+}
+
 void write(Out out, const match::Extend& extend) {
     out.setTurn(extend.turn.value);
     out.setExtend();
@@ -126,6 +130,8 @@ match::Command read_command(wire::Command::Reader in) {
             return match::Timeout{turn};
         case wire::Command::CONCEDE:
             return match::Concede{};
+        case wire::Command::FORFEIT:
+            return match::Forfeit{};
         case wire::Command::EXTEND:
             return match::Extend{turn};
         case wire::Command::OFFER:

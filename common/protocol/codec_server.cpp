@@ -100,6 +100,7 @@ void write(Out out, const server::MatchMoved& moved) {
     if (moved.verdict) write(body.getVerdict().initRuling(), *moved.verdict);
     write(body.initAfter(), moved.after);
     write(body.initTurn(), moved.turn);
+    body.setMove(to_wire(moved.move));
 }
 
 void write(Out out, const server::MatchOver& over) {
@@ -109,7 +110,8 @@ void write(Out out, const server::MatchOver& over) {
     body.setUndecided(!over.winner);
     write_counts(body.getRacksWon(), over.racks_won);
     body.setShots(over.shots);
-    body.setConceded(over.conceded);
+    body.setConceded(over.ending == server::Ending::Conceded);
+    body.setEnding(to_wire(over.ending));
 }
 
 void write(Out out, const server::ChatSaid& said) {
@@ -128,6 +130,80 @@ void write(Out out, const server::Pong& pong) {
     auto body = out.initPong();
     body.setClientTimeUs(pong.client_time_us);
     body.setServerTimeUs(pong.server_time_us);
+}
+
+void write(Out out, const server::Resumed& resumed) {
+    auto body = out.initResumed();
+    body.setTable(resumed.table.value);
+    write(body.initYourSeats(static_cast<unsigned int>(resumed.your_seats.size())),
+          resumed.your_seats);
+    body.setServerTimeUs(resumed.server_time_us);
+}
+
+void write(Out out, const server::TableChanged& changed) {
+    auto body = out.initTableChanged();
+    body.setSequence(changed.sequence);
+    write(body.initRow(), changed.row);
+}
+
+void write(Out out, const server::TableListChange& change) {
+    CHECK(change.changed.size() <= kMaxTableRows && change.gone.size() <= kMaxTableRows);
+    auto body = out.initTableListChange();
+    auto rows = body.initChanged(static_cast<unsigned int>(change.changed.size()));
+    for (unsigned int i = 0; i < rows.size(); ++i) write(rows[i], change.changed[i]);
+    auto gone = body.initGone(static_cast<unsigned int>(change.gone.size()));
+    for (unsigned int i = 0; i < gone.size(); ++i) gone.set(i, change.gone[i].value);
+}
+
+void write(Out out, const server::InviteMade& made) {
+    auto body = out.initInviteMade();
+    body.setTable(made.table.value);
+    body.setPlaying(made.is_for_playing);
+    body.setSecret({made.secret.data(), made.secret.size()});
+    body.setExpiresUs(made.expires_us);
+}
+
+void write(wire::HistoryRow::Builder out, const server::HistoryRow& row) {
+    out.setMatch(row.match);
+    out.setEndedS(row.ended_s);
+    out.setGame(to_wire(row.game));
+    out.setFirstName(row.names[model::Seat::First]);
+    out.setSecondName(row.names[model::Seat::Second]);
+    write_counts(out.getRacksWon(), row.racks_won);
+    if (row.winner) out.getWinner().setSeat(to_wire(*row.winner));
+    out.setShots(row.shots);
+    out.setEnding(to_wire(row.ending));
+}
+
+void write(Out out, const server::HistoryPage& page) {
+    CHECK(page.rows.size() <= kMaxHistoryRows);
+    auto body = out.initHistoryPage();
+    auto rows = body.initRows(static_cast<unsigned int>(page.rows.size()));
+    for (unsigned int i = 0; i < rows.size(); ++i) write(rows[i], page.rows[i]);
+    body.setHasMore(page.has_more);
+}
+
+void write(Out out, const server::PlayerRecord& record) {
+    auto body = out.initPlayerRecord();
+    body.setName(record.name);
+    body.setGames(record.games);
+    body.setWins(record.wins);
+    body.setDraws(record.draws);
+    body.setRating(record.rating);
+    body.setDeviation(record.deviation);
+}
+
+void write(Out out, const server::ReplayChunk& chunk) {
+    CHECK(chunk.messages.size() <= kMaxReplaySteps);
+    auto body = out.initReplayChunk();
+    body.setMatch(chunk.match);
+    body.setFirst(chunk.first);
+    body.setTotal(chunk.total);
+    auto messages = body.initMessages(static_cast<unsigned int>(chunk.messages.size()));
+    for (unsigned int i = 0; i < messages.size(); ++i) {
+        const auto& bytes = chunk.messages[i];
+        messages.set(i, {reinterpret_cast<const kj::byte*>(bytes.data()), bytes.size()});
+    }
 }
 
 // ---- From the wire, one a message
@@ -198,7 +274,8 @@ server::MatchMoved read(wire::MatchMoved::Reader in) {
                              .choice = {},
                              .verdict = {},
                              .after = read(in.getAfter()),
-                             .turn = read(in.getTurn())};
+                             .turn = read(in.getTurn()),
+                             .move = from_wire<server::Move>(in.getMove(), "move")};
     if (in.getChoice().isMade()) {
         moved.choice = from_wire<rules::Choice>(in.getChoice().getMade(), "choice");
     }
@@ -206,12 +283,18 @@ server::MatchMoved read(wire::MatchMoved::Reader in) {
     return moved;
 }
 
+/// Version 1.0 knew of concessions alone.
+server::Ending read_ending(wire::MatchOver::Reader in) {
+    if (in.getConceded()) return server::Ending::Conceded;
+    return from_wire<server::Ending>(in.getEnding(), "ending");
+}
+
 server::MatchOver read(wire::MatchOver::Reader in) {
     return {.sequence = in.getSequence(),
             .winner = in.getUndecided() ? std::nullopt : std::optional(read(in.getWinner())),
             .racks_won = read_counts(in.getRacksWon(), "racks_won"),
             .shots = in.getShots(),
-            .conceded = in.getConceded()};
+            .ending = read_ending(in)};
 }
 
 server::ChatSaid read(wire::ChatSaid::Reader in) {
@@ -226,6 +309,80 @@ server::Notice read(wire::Notice::Reader in) {
 
 server::Pong read(wire::Pong::Reader in) {
     return {.client_time_us = in.getClientTimeUs(), .server_time_us = in.getServerTimeUs()};
+}
+
+server::Resumed read(wire::Resumed::Reader in) {
+    return {.table = TableId{in.getTable()},
+            .your_seats = read_your_seats(in.getYourSeats()),
+            .server_time_us = in.getServerTimeUs()};
+}
+
+server::TableChanged read(wire::TableChanged::Reader in) {
+    return {.sequence = in.getSequence(), .row = read(in.getRow())};
+}
+
+server::TableListChange read(wire::TableListChange::Reader in) {
+    server::TableListChange change;
+    for (const auto row : at_most(in.getChanged(), kMaxTableRows, "changed")) {
+        change.changed.push_back(read(row));
+    }
+    for (const auto id : at_most(in.getGone(), kMaxTableRows, "gone")) {
+        change.gone.push_back(TableId{id});
+    }
+    return change;
+}
+
+server::InviteMade read(wire::InviteMade::Reader in) {
+    server::InviteMade made{.table = TableId{in.getTable()},
+                            .is_for_playing = in.getPlaying(),
+                            .secret = {},
+                            .expires_us = in.getExpiresUs()};
+    const capnp::Data::Reader secret = in.getSecret();
+    require(secret.size() == made.secret.size(), "secret");
+    std::copy(secret.begin(), secret.end(), made.secret.begin());
+    return made;
+}
+
+server::HistoryRow read(wire::HistoryRow::Reader in) {
+    server::HistoryRow row{.match = in.getMatch(),
+                           .ended_s = in.getEndedS(),
+                           .game = from_wire<rules::Game>(in.getGame(), "game"),
+                           .names = {{text(in.getFirstName(), kMaxShownNameLength, "names"),
+                                      text(in.getSecondName(), kMaxShownNameLength, "names")}},
+                           .racks_won = read_counts(in.getRacksWon(), "racks_won"),
+                           .winner = {},
+                           .shots = in.getShots(),
+                           .ending = from_wire<server::Ending>(in.getEnding(), "ending")};
+    if (in.getWinner().isSeat()) row.winner = read(in.getWinner().getSeat());
+    return row;
+}
+
+server::HistoryPage read(wire::HistoryPage::Reader in) {
+    server::HistoryPage page;
+    for (const auto row : at_most(in.getRows(), kMaxHistoryRows, "rows")) {
+        page.rows.push_back(read(row));
+    }
+    page.has_more = in.getHasMore();
+    return page;
+}
+
+server::PlayerRecord read(wire::PlayerRecord::Reader in) {
+    return {.name = text(in.getName(), kMaxShownNameLength, "name"),
+            .games = in.getGames(),
+            .wins = in.getWins(),
+            .draws = in.getDraws(),
+            .rating = finite(in.getRating(), "rating"),
+            .deviation = finite(in.getDeviation(), "deviation")};
+}
+
+server::ReplayChunk read(wire::ReplayChunk::Reader in) {
+    server::ReplayChunk chunk{
+        .match = in.getMatch(), .first = in.getFirst(), .total = in.getTotal(), .messages = {}};
+    for (const capnp::Data::Reader data : at_most(in.getMessages(), kMaxReplaySteps, "messages")) {
+        const auto* bytes = reinterpret_cast<const std::byte*>(data.begin());
+        chunk.messages.emplace_back(bytes, bytes + data.size());
+    }
+    return chunk;
 }
 
 ServerMessage read(wire::ServerMessage::Reader in) {
@@ -260,6 +417,20 @@ ServerMessage read(wire::ServerMessage::Reader in) {
             return read(in.getNotice());
         case wire::ServerMessage::PONG:
             return read(in.getPong());
+        case wire::ServerMessage::RESUMED:
+            return read(in.getResumed());
+        case wire::ServerMessage::TABLE_CHANGED:
+            return read(in.getTableChanged());
+        case wire::ServerMessage::TABLE_LIST_CHANGE:
+            return read(in.getTableListChange());
+        case wire::ServerMessage::INVITE_MADE:
+            return read(in.getInviteMade());
+        case wire::ServerMessage::HISTORY_PAGE:
+            return read(in.getHistoryPage());
+        case wire::ServerMessage::PLAYER_RECORD:
+            return read(in.getPlayerRecord());
+        case wire::ServerMessage::REPLAY_CHUNK:
+            return read(in.getReplayChunk());
     }
     fail(DecodeErrorCode::UnknownKind, "server message");
 }

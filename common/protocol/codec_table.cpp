@@ -14,13 +14,16 @@ void write(wire::SeatView::Builder out, const server::SeatView& seat) {
     out.setConnected(seat.connected);
     out.setReady(seat.ready);
     out.setName(seat.name);
+    if (seat.claimable_us) out.getClaimable().setUs(*seat.claimable_us);
 }
 
 server::SeatView read(wire::SeatView::Reader in) {
-    return {.taken = in.getTaken(),
-            .connected = in.getConnected(),
-            .ready = in.getReady(),
-            .name = text(in.getName(), kMaxShownNameLength, "name")};
+    server::SeatView seat{.taken = in.getTaken(),
+                          .connected = in.getConnected(),
+                          .ready = in.getReady(),
+                          .name = text(in.getName(), kMaxShownNameLength, "name")};
+    if (in.getClaimable().isUs()) seat.claimable_us = in.getClaimable().getUs();
+    return seat;
 }
 
 void write(wire::TableRow::Builder out, const server::TableRow& row) {
@@ -32,6 +35,9 @@ void write(wire::TableRow::Builder out, const server::TableRow& row) {
     write_counts(out.getRacksWon(), row.racks_won);
     out.setPlaying(row.playing);
     out.setSpectators(row.spectators);
+    out.setIsPrivate(row.is_private);
+    out.setHasPasscode(row.has_passcode);
+    out.setOwner(row.owner);
 }
 
 server::TableRow read(wire::TableRow::Reader in) {
@@ -41,7 +47,10 @@ server::TableRow read(wire::TableRow::Reader in) {
             .seats = {{read(in.getFirstSeat()), read(in.getSecondSeat())}},
             .racks_won = read_counts(in.getRacksWon(), "racks_won"),
             .playing = in.getPlaying(),
-            .spectators = in.getSpectators()};
+            .spectators = in.getSpectators(),
+            .is_private = in.getIsPrivate(),
+            .has_passcode = in.getHasPasscode(),
+            .owner = text(in.getOwner(), kMaxShownNameLength, "owner")};
 }
 
 void write(wire::Turn::Builder out, const server::Turn& turn) {
@@ -83,28 +92,39 @@ server::ShotPlayed read(wire::ShotPlayed::Reader in) {
             .commit_us = in.getCommitUs()};
 }
 
+void write(capnp::List<wire::Seat>::Builder out, const std::vector<model::Seat>& seats) {
+    for (unsigned int i = 0; i < out.size(); ++i) out.set(i, to_wire(seats[i]));
+}
+
+std::vector<model::Seat> read_your_seats(capnp::List<wire::Seat>::Reader in) {
+    std::vector<model::Seat> seats;
+    for (const auto seat : at_most(in, model::kSeats.size(), "your_seats")) {
+        seats.push_back(read(seat));
+    }
+    return seats;
+}
+
 void write(wire::TableSnapshot::Builder out, const server::TableSnapshot& snapshot) {
     out.setSequence(snapshot.sequence);
     write(out.initRow(), snapshot.row);
-    auto seats = out.initYourSeats(static_cast<unsigned int>(snapshot.your_seats.size()));
-    for (unsigned int i = 0; i < seats.size(); ++i) seats.set(i, to_wire(snapshot.your_seats[i]));
+    write(out.initYourSeats(static_cast<unsigned int>(snapshot.your_seats.size())),
+          snapshot.your_seats);
     if (snapshot.match) write(out.getMatch().initState(), *snapshot.match);
     if (snapshot.rolling) write(out.getRolling().initShot(), *snapshot.rolling);
     write(out.initTurn(), snapshot.turn);
     out.setServerTimeUs(snapshot.server_time_us);
+    out.setStream(snapshot.stream);
 }
 
 server::TableSnapshot read(wire::TableSnapshot::Reader in) {
     server::TableSnapshot snapshot{.sequence = in.getSequence(),
                                    .row = read(in.getRow()),
-                                   .your_seats = {},
+                                   .your_seats = read_your_seats(in.getYourSeats()),
                                    .match = {},
                                    .rolling = {},
                                    .turn = read(in.getTurn()),
-                                   .server_time_us = in.getServerTimeUs()};
-    for (const auto seat : at_most(in.getYourSeats(), model::kSeats.size(), "your_seats")) {
-        snapshot.your_seats.push_back(read(seat));
-    }
+                                   .server_time_us = in.getServerTimeUs(),
+                                   .stream = in.getStream()};
     if (in.getMatch().isState()) snapshot.match = read(in.getMatch().getState());
     if (in.getRolling().isShot()) snapshot.rolling = read(in.getRolling().getShot());
     return snapshot;

@@ -8,7 +8,7 @@
 namespace billiards::protocol {
 
 inline constexpr std::uint16_t kVersionMajor = 1;
-inline constexpr std::uint16_t kVersionMinor = 0;
+inline constexpr std::uint16_t kVersionMinor = 1;
 inline constexpr std::uint16_t kDefaultPort = 4747;
 
 inline constexpr std::size_t kFrameHeaderBytes = 4;
@@ -23,10 +23,14 @@ inline constexpr int kMaxNesting = 8;
 inline constexpr std::size_t kMaxNameLength = 24;  ///< Code points, before the discriminator.
 /// A shown name: with its discriminator.
 inline constexpr std::size_t kMaxShownNameLength = kMaxNameLength + 8;
-inline constexpr std::size_t kMaxTableNameLength = 40;  ///< Code points.
-inline constexpr std::size_t kMaxChatLength = 200;      ///< Code points.
-inline constexpr std::size_t kMaxDetailLength = 300;    ///< Bytes.
-inline constexpr std::size_t kMaxTableRows = 1000;      ///< Of one TableList.
+inline constexpr std::size_t kMaxTableNameLength = 40;      ///< Code points.
+inline constexpr std::size_t kMaxChatLength = 200;          ///< Code points.
+inline constexpr std::size_t kMaxDetailLength = 300;        ///< Bytes.
+inline constexpr std::size_t kMaxTableRows = 1000;          ///< Of one TableList.
+inline constexpr std::size_t kMaxPasscodeLength = 32;       ///< Code points.
+inline constexpr std::size_t kMaxHistoryRows = 50;          ///< Of one HistoryPage.
+inline constexpr std::size_t kMaxReplaySteps = 64;          ///< Of one ReplayChunk.
+inline constexpr std::size_t kMaxReplayBytes = 512 * 1024;  ///< Likewise, unless it is one step.
 inline constexpr std::size_t kMaxEventsInRecord = 20'000;
 inline constexpr std::size_t kMaxSegmentsInRecord = 40'000;
 inline constexpr double kMaxShotDuration_s = 3600.0;

@@ -8,8 +8,9 @@
 
 namespace billiards::server {
 
-Lobby::Lobby(const LobbyLimits& limits, Outbox& outbox, Committer& committer, RandomBytes random)
-    : world_(std::make_unique<World>(limits, outbox, committer, std::move(random))) {}
+Lobby::Lobby(const LobbyLimits& limits, Outbox& outbox, Committer& committer, Archive& archive,
+             RandomBytes random)
+    : world_(std::make_unique<World>(limits, outbox, committer, archive, std::move(random))) {}
 
 Lobby::~Lobby() = default;
 

@@ -6,6 +6,7 @@
 #include "common/protocol/messages.h"
 #include "server/session/limits.h"
 #include "server/session/token.h"
+#include "server/store/archive.h"
 #include "server/store/committer.h"
 #include "server/table/outbox.h"
 #include "server/table/surroundings.h"
@@ -31,7 +32,8 @@ struct StoredWorld {
 /// Lives on the game thread alone. Every call takes the time; nothing in it waits.
 class Lobby {
   public:
-    Lobby(const LobbyLimits& limits, Outbox& outbox, Committer& committer, RandomBytes random);
+    Lobby(const LobbyLimits& limits, Outbox& outbox, Committer& committer, Archive& archive,
+          RandomBytes random);
     ~Lobby();
 
     /// Once, before anything else: players are known again, every live match waits for its

@@ -87,40 +87,6 @@ void Lobby::World::on(const Heard& heard, const client::Leave& /*message*/) {
     send_tables(heard.now, heard.session.id);
 }
 
-void Lobby::World::on(const Heard& heard, const client::Ready& /*message*/) {
-    if (refuse_while_closing(heard)) return;
-    table_at(heard).ready(heard.now, heard.asker());
-}
-
-void Lobby::World::on(const Heard& heard, const client::PlaceCueBall& message) {
-    table_at(heard).request(
-        heard.now, heard.asker(),
-        {.command = match::PlaceCueBall{message.position_m}, .only_turn = message.turn});
-}
-
-void Lobby::World::on(const Heard& heard, const client::Aim& message) {
-    table_at(heard).aim(heard.now, heard.session.id, message);
-}
-
-void Lobby::World::on(const Heard& heard, const client::TakeShot& message) {
-    table_at(heard).request(heard.now, heard.asker(),
-                            {.command = match::TakeShot{message.turn, message.shot, message.call},
-                             .shot_id = message.shot_id});
-}
-
-void Lobby::World::on(const Heard& heard, const client::Seen& message) {
-    table_at(heard).seen(heard.now, heard.session.id, message.sequence);
-}
-
-void Lobby::World::on(const Heard& heard, const client::Choose& message) {
-    table_at(heard).request(heard.now, heard.asker(),
-                            {.command = match::Choose{message.turn, message.choice}});
-}
-
-void Lobby::World::on(const Heard& heard, const client::Concede& /*message*/) {
-    table_at(heard).request(heard.now, heard.asker(), {.command = match::Concede{}});
-}
-
 void Lobby::World::on(const Heard& heard, const client::Chat& message) {
     if (!heard.session.chat.allows(heard.now)) {
         refuse(around, heard.asker(), RefusedCode::TooMany, "chat");
@@ -137,6 +103,29 @@ void Lobby::World::on(const Heard& heard, const client::Chat& message) {
 void Lobby::World::on(const Heard& heard, const client::Ping& message) {
     tell(heard.session.id, protocol::server::Pong{.client_time_us = message.client_time_us,
                                                   .server_time_us = wire_time(heard.now)});
+}
+
+void Lobby::World::on(const Heard& heard, const client::FollowTables& /*message*/) {
+    if (may_ask_lobby(heard)) send_tables(heard.now, heard.session.id);
+}
+
+void Lobby::World::on(const Heard& heard, const client::QuickMatch& message) {
+    match::Settings settings;
+    settings.game = message.game;
+    on(heard,
+       client::CreateTable{.name = {}, .settings = settings, .role = protocol::Role::Player});
+}
+
+void Lobby::World::on(const Heard& heard, const client::AskHistory& /*message*/) {
+    refuse(around, heard.asker(), RefusedCode::Busy, "no archive yet");
+}
+
+void Lobby::World::on(const Heard& heard, const client::AskRecord& /*message*/) {
+    refuse(around, heard.asker(), RefusedCode::Busy, "no archive yet");
+}
+
+void Lobby::World::on(const Heard& heard, const client::AskReplay& /*message*/) {
+    refuse(around, heard.asker(), RefusedCode::Busy, "no archive yet");
 }
 
 bool Lobby::World::may_ask_lobby(const Heard& heard) {

@@ -13,13 +13,14 @@ namespace billiards::server {
 
 using protocol::RefusedCode;
 
-Lobby::World::World(const LobbyLimits& limits, Outbox& outbox, Committer& committer,
+Lobby::World::World(const LobbyLimits& limits, Outbox& outbox, Committer& committer, Archive& asked,
                     RandomBytes random)
     : around{.limits = limits,
              .outbox = outbox,
              .committer = committer,
              .random = std::move(random),
-             .moved = [this](protocol::TableId table) { refresh_deadline(table); }} {}
+             .moved = [this](protocol::TableId table) { refresh_deadline(table); }},
+      archive(asked) {}
 
 void Lobby::World::connect(base::Instant now, SessionId id) {
     if (is_closing) {

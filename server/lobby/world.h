@@ -34,7 +34,8 @@ struct Entering {
 };
 
 struct Lobby::World {
-    World(const LobbyLimits& limits, Outbox& outbox, Committer& committer, RandomBytes random);
+    World(const LobbyLimits& limits, Outbox& outbox, Committer& committer, Archive& archive,
+          RandomBytes random);
 
     // world.cpp: sessions, tables and time
     void connect(base::Instant now, SessionId id);
@@ -68,20 +69,45 @@ struct Lobby::World {
                  const protocol::ResumeToken& token);
     void confirm_token(Session& session);
 
-    // requests.cpp: everything else that may be said
-    void on(const Heard& heard, const protocol::client::ListTables& message);
-    void on(const Heard& heard, const protocol::client::CreateTable& message);
-    void on(const Heard& heard, const protocol::client::Join& message);
-    void on(const Heard& heard, const protocol::client::Leave& message);
+    // play.cpp: what a player asks of the match
     void on(const Heard& heard, const protocol::client::Ready& message);
+    void on(const Heard& heard, const protocol::client::Rematch& message);
     void on(const Heard& heard, const protocol::client::PlaceCueBall& message);
     void on(const Heard& heard, const protocol::client::Aim& message);
     void on(const Heard& heard, const protocol::client::TakeShot& message);
     void on(const Heard& heard, const protocol::client::Seen& message);
     void on(const Heard& heard, const protocol::client::Choose& message);
     void on(const Heard& heard, const protocol::client::Concede& message);
+    void on(const Heard& heard, const protocol::client::ClaimMatch& message);
+    void on(const Heard& heard, const protocol::client::Extend& message);
+    void on(const Heard& heard, const protocol::client::Offer& message);
+    void on(const Heard& heard, const protocol::client::Answer& message);
+    void on(const Heard& heard, const protocol::client::ClaimStalemate& message);
+    void on(const Heard& heard, const protocol::client::SpotNearest& message);
+    void on(const Heard& heard, const protocol::client::PlaceBall& message);
+    void on(const Heard& heard, const protocol::client::Undo& message);
+    void on(const Heard& heard, const protocol::client::Repeat& message);
+    void on(const Heard& heard, const protocol::client::Rerack& message);
+    void ask(const Heard& heard, Table::Command command);
+
+    // ownership.cpp: what the owner of a table may do
+    void on(const Heard& heard, const protocol::client::ChangeTable& message);
+    void on(const Heard& heard, const protocol::client::MakeInvite& message);
+    void on(const Heard& heard, const protocol::client::RevokeInvites& message);
+    void on(const Heard& heard, const protocol::client::Kick& message);
+
+    // requests.cpp: everything else that may be said
+    void on(const Heard& heard, const protocol::client::ListTables& message);
+    void on(const Heard& heard, const protocol::client::CreateTable& message);
+    void on(const Heard& heard, const protocol::client::Join& message);
+    void on(const Heard& heard, const protocol::client::Leave& message);
     void on(const Heard& heard, const protocol::client::Chat& message);
     void on(const Heard& heard, const protocol::client::Ping& message);
+    void on(const Heard& heard, const protocol::client::FollowTables& message);
+    void on(const Heard& heard, const protocol::client::QuickMatch& message);
+    void on(const Heard& heard, const protocol::client::AskHistory& message);
+    void on(const Heard& heard, const protocol::client::AskRecord& message);
+    void on(const Heard& heard, const protocol::client::AskReplay& message);
     bool may_ask_lobby(const Heard& heard);
     bool refuse_while_closing(const Heard& heard);
     void take_place(const Heard& heard, protocol::TableId id, protocol::Role role);
@@ -91,6 +117,7 @@ struct Lobby::World {
     Player& player_at(const Heard& heard);
 
     Surroundings around;
+    Archive& archive;
     std::map<SessionId, Session> sessions;
     Players players;
     std::map<protocol::TableId, Table> tables;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/base/result.h"
+#include "common/base/time.h"
 #include "common/model/seat.h"
 #include "common/protocol/codec_journal.h"
 #include "common/protocol/messages.h"
@@ -58,6 +59,42 @@ struct EndedMatch {
     friend bool operator==(const EndedMatch&, const EndedMatch&) = default;
 };
 
+/// SHA-256 of an invite, or of a passcode after its table's salt.
+using SecretHash = std::array<std::uint8_t, 32>;
+
+struct StoredInvite {
+    SecretHash hash{};
+    bool is_for_playing = false;  ///< Otherwise for watching.
+    friend bool operator==(const StoredInvite&, const StoredInvite&) = default;
+};
+
+/// A table as it stands between two matches; what is played on it is a StoredMatch's affair.
+struct StoredTable {
+    protocol::TableId table;
+    std::string name;
+    protocol::Bytes settings;  ///< protocol::encode_settings, of the next match; the seed is 0.
+    PlayerId owner;
+    bool is_private = false;
+    std::optional<SecretHash> passcode_hash{};
+    std::array<std::uint8_t, 16> passcode_salt{};
+    std::vector<StoredInvite> invites{};
+    std::vector<PlayerId> kicked{};
+    model::PerSeat<std::optional<PlayerId>> seats{};
+    friend bool operator==(const StoredTable&, const StoredTable&) = default;
+};
+
+/// How a match ended, for the history and the players' records.
+struct MatchResult {
+    protocol::server::Ending ending = protocol::server::Ending::Played;
+    std::optional<model::Seat> winner{};
+    model::PerSeat<int> racks_won{};
+    std::uint32_t shots = 0;  ///< 0: the match is not kept.
+    rules::Game game = rules::Game::EightBall;
+    bool is_private = false;      ///< Shown to its players alone.
+    base::Duration hidden_for{};  ///< As long as its spectators were delayed.
+    friend bool operator==(const MatchResult&, const MatchResult&) = default;
+};
+
 struct StoredEntry {
     std::uint64_t sequence = 0;  ///< 1, 2, 3 ... within its match.
     protocol::EncodedEntry entry;
@@ -76,9 +113,18 @@ struct AppendEntry {
 };
 struct FinishMatch {
     MatchId match;
+    MatchResult result{};
+};
+/// Inserts, or replaces the whole.
+struct SaveTable {
+    StoredTable table;
+};
+/// Its number is never given again.
+struct RemoveTable {
+    protocol::TableId table;
 };
 
-using Write = std::variant<SavePlayer, SaveMatch, AppendEntry, FinishMatch>;
+using Write = std::variant<SavePlayer, SaveMatch, AppendEntry, FinishMatch, SaveTable, RemoveTable>;
 
 enum class StoreErrorCode : std::uint8_t {
     CannotOpen,  ///< detail names the file and the system's reason.

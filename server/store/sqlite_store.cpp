@@ -148,6 +148,8 @@ class SqliteStore final : public MatchStore {
     void on(const SaveMatch& write);
     void on(const AppendEntry& write);
     void on(const FinishMatch& write);
+    void on(const SaveTable& write);
+    void on(const RemoveTable& write);
 
     SQLite::Database database_;
     std::filesystem::path file_;
@@ -216,6 +218,10 @@ void SqliteStore::on(const FinishMatch& write) {
     use->bind(1, stored(write.match.value));
     use->exec();
 }
+
+void SqliteStore::on(const SaveTable& /*write*/) {}
+
+void SqliteStore::on(const RemoveTable& /*write*/) {}
 
 StoreResult<base::Done> SqliteStore::commit(std::span<const Write> writes) {
     return guarded(file_, [&]() -> StoreResult<base::Done> {

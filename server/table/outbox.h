@@ -17,6 +17,11 @@ struct SessionId {
 enum class Delivery : std::uint8_t {
     Ordered,     ///< Arrives, after everything before it, or the session is closed.
     LatestWins,  ///< An aim: replaced by a newer one while it waits, dropped first under load.
+    /// To spectators: in order, but one who is too far behind loses everything of this kind that
+    /// waits, and gets no more of it until a Fresh frame. The network then says fell_behind, once
+    /// what was being written is out.
+    Sheddable,
+    Fresh,  ///< A snapshot, after which nothing that was shed is missed. Otherwise as Sheddable.
 };
 
 class Outbox {

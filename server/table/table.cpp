@@ -147,6 +147,14 @@ void Table::ready(base::Instant now, const Asker& asker) {
     if (seating_.are_all_ready()) start_match(now);
 }
 
+void Table::rematch(base::Instant now, const Asker& asker) {
+    ready(now, asker);
+}
+
+void Table::claim(base::Instant /*now*/, const Asker& asker) {
+    refuse(around_, asker, RefusedCode::NotAllowed, "the opponent is here");
+}
+
 void Table::aim(base::Instant now, SessionId session, const protocol::client::Aim& aim) {
     if (!is_playing() || !clock_.is_open() || aim.turn != match_->state.turn) return;
     const Seat seat = match_->state.to_act;

@@ -62,6 +62,10 @@ class Table {
     };
 
     void ready(base::Instant now, const Asker& asker);
+    /// As ready, once a match is over and while the same two sit here.
+    void rematch(base::Instant now, const Asker& asker);
+    /// The match for the asker, whose opponent has been away for longer than the grace.
+    void claim(base::Instant now, const Asker& asker);
     void request(base::Instant now, const Asker& asker, Command command);
     void aim(base::Instant now, SessionId session, const protocol::client::Aim& aim);
     void seen(base::Instant now, SessionId session, std::uint64_t sequence);
@@ -152,7 +156,7 @@ class Table {
     void announce_placement(const Step& step);
     void announce_shot(base::Instant struck, Step step, const Committed& committed);
     void announce_move(Step step);
-    void announce_over(bool conceded);
+    void announce_over(protocol::server::Ending ending);
     void announce_storage_failed(const std::optional<Asker>& asker);
 
     const protocol::TableId id_;

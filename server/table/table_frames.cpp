@@ -106,13 +106,13 @@ void Table::announce_move(Step step) {
     broadcast(std::move(moved));
 }
 
-void Table::announce_over(bool conceded) {
+void Table::announce_over(protocol::server::Ending ending) {
     const match::MatchState& state = match_->state;
     broadcast(say::MatchOver{.sequence = ++sequence_,
                              .winner = state.winner,
                              .racks_won = state.racks_won,
                              .shots = static_cast<std::uint32_t>(state.shots_played),
-                             .conceded = conceded});
+                             .ending = ending});
 }
 
 /// Everyone is told; who asked learns which request it was.

@@ -196,7 +196,9 @@ void Table::happen(base::Instant now, Step step, const Committed& committed) {
     }
     if (is_playing()) return;
     clock_.stop();
-    announce_over(std::holds_alternative<match::Concede>(command));
+    announce_over(std::holds_alternative<match::Concede>(command)
+                      ? protocol::server::Ending::Conceded
+                      : protocol::server::Ending::Played);
 }
 
 void Table::undo_start() {

@@ -81,7 +81,7 @@ void Report::over(const client::TableView& before, const protocol::server::Match
            {"winner_racks", over.racks_won[winner]},
            {"loser_racks", over.racks_won[model::opponent_of(winner)]},
            {"shots", over.shots},
-           {"conceded", over.conceded}});
+           {"conceded", over.ending == protocol::server::Ending::Conceded}});
 }
 
 void Report::refused(const protocol::server::Refused& refused) {

@@ -93,7 +93,7 @@ class Scorer {
         protocol::server::MatchOver over;
         over.winner = state.winner;
         over.racks_won = state.racks_won;
-        over.conceded = has_conceded_;
+        if (has_conceded_) over.ending = protocol::server::Ending::Conceded;
         fmt::print(out_, "\n{}\n", client::narrate(table_, over));
     }
 

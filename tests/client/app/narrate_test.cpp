@@ -302,7 +302,7 @@ TEST(Narrate, TheEndOfAMatch) {
     over.racks_won[Seat::Second] = 3;
     over.racks_won[Seat::First] = 1;
     EXPECT_EQ(narrate(table_before(rules::Phase::Groups), over), "Grace#3f21 wins the match 3-1");
-    over.conceded = true;
+    over.ending = protocol::server::Ending::Conceded;
     EXPECT_EQ(narrate(table_before(rules::Phase::Groups), over),
               "Grace#3f21 wins the match 3-1: Ada conceded");
 }

@@ -98,7 +98,7 @@ TEST(Link, SaysThatTheServerSpeaksAnotherVersion) {
     });
     EXPECT_EQ(lost.code, LostCode::OtherVersion);
     EXPECT_NE(lost.reason.find("2.0"), std::string::npos) << lost.reason;
-    EXPECT_NE(lost.reason.find("1.0"), std::string::npos) << lost.reason;
+    EXPECT_NE(lost.reason.find("1.1"), std::string::npos) << lost.reason;
 }
 
 TEST(Link, SaysThatTheServerClosed) {

@@ -1,10 +1,9 @@
 // Gives any message, within the limits of the wire.
 #include "tests/common/protocol/generators.h"
 
-#include "common/protocol/codec_segment.h"
 #include "common/protocol/limits.h"
+#include "tests/common/protocol/draw.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -13,261 +12,16 @@ namespace billiards::protocol {
 
 namespace {
 
-using base::Vec2;
-using base::Vec3;
-using model::BallId;
-using model::Motion;
-using model::Seat;
-using model::ShotEvent;
-using timeline::Segment;
-
-// Everything below draws: it may only run inside rc::gen::exec.
-
-template <class T>
-T within(T low, T high) {
-    return *rc::gen::inRange<T>(low, high);
+InviteSecret invite() {
+    InviteSecret secret{};
+    for (std::uint8_t& byte : secret) byte = within<std::uint8_t>(0, 255);
+    return secret;
 }
-bool coin() {
-    return *rc::gen::arbitrary<bool>();
-}
-template <class Enum>
-Enum up_to(Enum last) {
-    return static_cast<Enum>(within(0, static_cast<int>(last) + 1));
-}
-std::uint32_t any32() {
-    return *rc::gen::arbitrary<std::uint32_t>();
-}
-std::uint64_t any64() {
-    return *rc::gen::arbitrary<std::uint64_t>();
-}
-std::int64_t any_time_us() {
-    return *rc::gen::arbitrary<std::int64_t>();
-}
-/// Exact in 32 bits, as segments are.
-double coarse(double size) {
-    return as_sent(size * within(-1'000'000, 1'000'001) / 1e6);
-}
-/// As fine as a double can be.
-double fine(double size) {
-    return size * (static_cast<double>(within<std::int64_t>(-(1LL << 52), 1LL << 52)) * 0x1p-52);
-}
-
-template <class Draw>
-auto maybe(Draw draw) {
-    return coin() ? std::optional(draw()) : std::nullopt;
-}
-template <class Draw>
-auto some(std::size_t max_size, Draw draw) {
-    std::vector<decltype(draw())> values;
-    const std::size_t size = within<std::size_t>(0, max_size + 1);
-    for (std::size_t i = 0; i < size; ++i) values.push_back(draw());
-    return values;
-}
-
-Seat seat() {
-    return up_to(Seat::Second);
-}
-BallId ball() {
-    return BallId{within<std::uint8_t>(0, model::kMaxBalls)};
-}
-/// Ascending, each once.
-std::vector<BallId> balls() {
-    std::vector<BallId> balls;
-    model::BallSet::from_bits(any32()).for_each([&](BallId id) { balls.push_back(id); });
-    return balls;
-}
-model::PerSeat<int> counts() {
-    return {{within(0, 1'000'001), within(0, 1'000'001)}};
-}
-model::PerSeat<int> scores() {
-    return {{within(-1'000'000, 1'000'001), within(-1'000'000, 1'000'001)}};
-}
-model::PerSeat<rules::Group> groups() {
-    return {{up_to(rules::Group::Stripes), up_to(rules::Group::Stripes)}};
-}
-ResumeToken token() {
-    ResumeToken token{};
-    for (std::uint8_t& byte : token) byte = within<std::uint8_t>(0, 255);
-    return token;
-}
-model::Shot shot() {
-    return {fine(10), fine(1), fine(1), fine(1), fine(1e300)};
-}
-model::Call call() {
-    switch (within(0, 4)) {
-        case 0:
-            return model::NoCall{};
-        case 1:
-            return model::CalledBall{ball(), model::PocketId{within<std::uint8_t>(0, 6)}};
-        case 2:
-            return model::Safety{};
-        default:
-            return model::PushOut{};
-    }
-}
-Vec2 position() {
-    return {fine(3), fine(3)};
-}
-
-match::Settings settings() {
-    return {.game = up_to(rules::Game::Practice),
-            .options = {.call = coin(),
-                        .nine_on_foot_spot = coin(),
-                        .ten_wins_any_time = coin(),
-                        .target_points = within(1, rules::kMaxTargetPoints + 1)},
-            .table = up_to(model::TableSize::NineFoot),
-            .physics = up_to(match::PhysicsPreset::Classic),
-            .break_order = up_to(match::BreakOrder::Loser),
-            .race_to = within(1, match::kMaxRaceTo + 1),
-            .shot_clock_s = std::abs(fine(match::kMaxShotClock_s)),
-            .break_shot_clock_s = std::abs(fine(match::kMaxShotClock_s)),
-            .extension_s = std::abs(fine(match::kMaxShotClock_s)),
-            .aim_help = coin(),
-            .spectator_delay_s = std::abs(fine(match::kMaxSpectatorDelay_s))};
-}
-
-model::Layout layout() {
-    model::Layout layout;
-    for (const BallId id : balls()) {
-        layout.balls.push_back({id, up_to(model::Place::OffTable), position()});
-    }
-    return layout;
-}
-
-rules::RackState rack() {
-    return {.phase = up_to(rules::Phase::AfterBreak),
-            .shooter = seat(),
-            .groups = maybe(groups),
-            .on_table = model::BallSet::from_bits(any32()),
-            .in_hand = up_to(rules::Zone::BehindHeadString),
-            .behind_head_string = model::BallSet::from_bits(any32()),
-            .consecutive_fouls = counts(),
-            .push_out_allowed = coin(),
-            .scores = scores()};
-}
-
-rules::Verdict verdict() {
-    return {.fouls = some(10, [] { return up_to(rules::Foul::BreakingFoul); }),
-            .turn_continues = coin(),
-            .next_player = seat(),
-            .in_hand = up_to(rules::Zone::BehindHeadString),
-            .choices = some(5, [] { return up_to(rules::Choice::PassBack); }),
-            .chooser = maybe(seat),
-            .groups = maybe(groups),
-            .spotted = balls(),
-            .winner = maybe(seat),
-            .consecutive_fouls = counts(),
-            .reason = up_to(rules::Reason::Practice),
-            .phase = up_to(rules::Phase::AfterBreak),
-            .score_change = scores(),
-            .rerack = up_to(rules::Rerack::Fifteen)};
-}
-
-match::MatchState state() {
-    return {.settings = settings(),
-            .stage = up_to(match::Stage::Over),
-            .turn = {any32()},
-            .to_act = seat(),
-            .rack_number = within(0, 100),
-            .breaker = seat(),
-            .racks_won = counts(),
-            .shots_played = within(0, 1000),
-            .rack = rack(),
-            .layout = layout(),
-            .pending = maybe([] {
-                return match::MatchState::Pending{verdict(), rack()};
-            }),
-            .winner = maybe(seat),
-            .extended_in = {{model::TurnNumber{any32()}, model::TurnNumber{any32()}}},
-            .offer = maybe([] {
-                return match::MatchState::StandingOffer{up_to(match::OfferKind::Draw), seat()};
-            }),
-            .claim = maybe(counts),
-            .undo = {},
-            .before_shot = {}};
-}
-
-ShotEvent event(double time_s) {
-    const BallId one = ball();
-    const auto index = within<std::uint16_t>(0, 0xffff);
-    switch (up_to(model::EventKind::OffTable)) {
-        case model::EventKind::BallBall:
-            return ShotEvent::ball_ball(time_s, BallId{3}, one == BallId{3} ? BallId{4} : one);
-        case model::EventKind::Cushion:
-            return ShotEvent::cushion(time_s, one, index, coin());
-        case model::EventKind::Jaw:
-            return ShotEvent::jaw(time_s, one, index, coin());
-        case model::EventKind::Pocketed:
-            return ShotEvent::pocketed(time_s, one, model::PocketId{within<std::uint8_t>(0, 6)});
-        case model::EventKind::Motion:
-            return ShotEvent::motion(time_s, one, up_to(Motion::OffTable));
-        case model::EventKind::HeadString:
-            return ShotEvent::head_string(time_s, coin() ? 1 : -1);
-        case model::EventKind::Landing:
-            return ShotEvent::landing(time_s, one);
-        case model::EventKind::OffTable:
-            return ShotEvent::off_table(time_s, one);
-    }
-    RC_FAIL("no such event");
-}
-
-/// A part of a segment: all zero at times, or two of its numbers.
-Vec3 part(double size) {
-    if (coin()) return {};
-    return {coarse(size), coarse(size), coin() ? coarse(size) : 0.0};
-}
-
-/// Lies at rest height unless it flies; spins as a rolling or a sliding ball does, or anyhow.
-Segment segment(double start_s, double radius_m) {
-    Segment segment{.start_s = start_s,
-                    .position_m = {coarse(3), coarse(3), coarse(1)},
-                    .velocity_mps = part(12),
-                    .acceleration_mps2 = part(10),
-                    .spin_radps = part(500),
-                    .spin_rate_radps2 = part(200),
-                    .motion = up_to(Motion::OffTable)};
-    const bool flies = coin();
-    if (!flies) segment.position_m.z = radius_m;
-    if (!flies) segment.velocity_mps.z = segment.acceleration_mps2.z = 0;
-    const Vec3 up{0, 0, 1};
-    if (coin()) segment.spin_rate_radps2 = -2.5 * cross(up, segment.acceleration_mps2) / radius_m;
-    if (coin()) {
-        segment.spin_radps = cross(up, segment.velocity_mps) / radius_m;
-        segment.spin_rate_radps2 = cross(up, segment.acceleration_mps2) / radius_m;
-    }
-    return segment;
-}
-
-std::vector<double> ascending_times(std::size_t max_size) {
-    std::vector<double> times = some(max_size, [] { return std::abs(fine(100)); });
-    std::sort(times.begin(), times.end());
-    return times;
-}
-
-timeline::BallTrack track(BallId ball) {
-    const double radius_m = 0.03 + 0.01 * fine(1);
-    timeline::BallTrack track{ball, radius_m, {segment(0, radius_m)}};
-    for (const double start_s : ascending_times(6)) {
-        track.segments.push_back(segment(start_s, radius_m));
-    }
-    return track;
-}
-
-timeline::ShotRecord record() {
-    timeline::ShotRecord record;
-    for (const double time_s : ascending_times(20)) record.events.push_back(event(time_s));
-    for (const BallId id : balls()) record.timeline.tracks.push_back(track(id));
-    record.final_layout = layout();
-    record.duration_s = std::abs(fine(100));
-    record.hash = any64();
-    return record;
-}
-
 server::Turn turn() {
     return {any_time_us(), maybe(any_time_us)};
 }
 server::SeatView seat_view() {
-    return {coin(), coin(), coin(), *any_text(kMaxShownNameLength)};
+    return {coin(), coin(), coin(), *any_text(kMaxShownNameLength), maybe(any_time_us)};
 }
 server::TableRow row() {
     return {.table = {any32()},
@@ -276,7 +30,10 @@ server::TableRow row() {
             .seats = {{seat_view(), seat_view()}},
             .racks_won = counts(),
             .playing = coin(),
-            .spectators = any32()};
+            .spectators = any32(),
+            .is_private = coin(),
+            .has_passcode = coin(),
+            .owner = *any_text(kMaxShownNameLength)};
 }
 server::ShotPlayed shot_played() {
     return {.sequence = any64(),
@@ -298,23 +55,27 @@ server::TableSnapshot snapshot() {
             .match = maybe(state),
             .rolling = maybe(shot_played),
             .turn = turn(),
-            .server_time_us = any_time_us()};
+            .server_time_us = any_time_us(),
+            .stream = any64()};
 }
 
 // One drawer a message, in the variant's order: a new message fails to compile until it has one.
 
 using client::Hello;
 void draw(Hello& hello) {
-    hello = {*any_text(kMaxNameLength), maybe(token)};
+    hello = {*any_text(kMaxNameLength), maybe(token), maybe([] {
+                 return client::Followed{{any32()}, any64(), any64()};
+             })};
 }
 void draw(client::ListTables&) {}
 void draw(client::CreateTable& create) {
-    create = {*any_text(kMaxTableNameLength), settings(), up_to(Role::BothSeats)};
+    create = {*any_text(kMaxTableNameLength), settings(), up_to(Role::BothSeats), coin(),
+              *any_text(kMaxPasscodeLength)};
     create.settings.race_to = static_cast<int>(any32());
     create.settings.shot_clock_s = fine(1e300);
 }
 void draw(client::Join& join) {
-    join = {{any32()}, up_to(Role::BothSeats)};
+    join = {{any32()}, up_to(Role::BothSeats), maybe(invite), *any_text(kMaxPasscodeLength)};
 }
 void draw(client::Leave&) {}
 void draw(client::Ready&) {}
@@ -341,12 +102,59 @@ void draw(client::Ping& ping) {
     ping = {any_time_us()};
 }
 
+void draw(client::FollowTables&) {}
+void draw(client::QuickMatch& quick) {
+    quick = {up_to(rules::Game::Practice)};
+}
+void draw(client::ChangeTable& change) {
+    change = {settings(), coin(), maybe([] { return *any_text(kMaxPasscodeLength); })};
+}
+void draw(client::MakeInvite& make) {
+    make = {up_to(Role::BothSeats)};
+}
+void draw(client::RevokeInvites&) {}
+void draw(client::Kick& kick) {
+    kick = {*any_text(kMaxShownNameLength)};
+}
+void draw(client::Rematch&) {}
+void draw(client::ClaimMatch&) {}
+void draw(client::Extend& extend) {
+    extend = {{any32()}};
+}
+void draw(client::Offer& offer) {
+    offer = {{any32()}, up_to(match::OfferKind::Draw)};
+}
+void draw(client::Answer& answer) {
+    answer = {{any32()}, coin()};
+}
+void draw(client::ClaimStalemate& claim) {
+    claim = {{any32()}};
+}
+void draw(client::SpotNearest& spot) {
+    spot = {{any32()}};
+}
+void draw(client::PlaceBall& place) {
+    place = {ball(), {fine(1e300), fine(3)}};
+}
+void draw(client::Undo&) {}
+void draw(client::Repeat&) {}
+void draw(client::Rerack&) {}
+void draw(client::AskHistory& ask) {
+    ask = {*any_text(kMaxShownNameLength), any64()};
+}
+void draw(client::AskRecord& ask) {
+    ask = {*any_text(kMaxShownNameLength)};
+}
+void draw(client::AskReplay& ask) {
+    ask = {any64(), any64()};
+}
+
 void draw(server::Welcome& welcome) {
     welcome = {*any_text(kMaxShownNameLength), token(), any_time_us(),
                maybe([] { return TableId{any32()}; })};
 }
 void draw(server::Refused& refused) {
-    refused = {up_to(RefusedCode::Match),
+    refused = {up_to(RefusedCode::Busy),
                maybe([] { return up_to(match::RefusalCode::NothingToUndo); }),
                *any_text(kMaxDetailLength / 4), any32()};
 }
@@ -375,20 +183,59 @@ void draw(server::TurnOpened& opened) {
     opened = {any64(), {any32()}, turn()};
 }
 void draw(server::MatchMoved& moved) {
-    moved = {any64(),        seat(),  maybe([] { return up_to(rules::Choice::PassBack); }),
-             maybe(verdict), state(), turn()};
+    moved = {any64(),
+             seat(),
+             maybe([] { return up_to(rules::Choice::PassBack); }),
+             maybe(verdict),
+             state(),
+             turn(),
+             up_to(server::Move::Reracking)};
 }
 void draw(server::MatchOver& over) {
-    over = {any64(), maybe(seat), counts(), any32(), coin()};
+    over = {any64(), maybe(seat), counts(), any32(), up_to(server::Ending::Abandoned)};
 }
 void draw(server::ChatSaid& said) {
     said = {*any_text(kMaxShownNameLength), *any_text(kMaxChatLength)};
 }
 void draw(server::Notice& notice) {
-    notice = {up_to(server::NoticeCode::ReplacedByNewConnection), *any_text(kMaxDetailLength / 4)};
+    notice = {up_to(server::NoticeCode::Kicked), *any_text(kMaxDetailLength / 4)};
 }
 void draw(server::Pong& pong) {
     pong = {any_time_us(), any_time_us()};
+}
+
+void draw(server::Resumed& resumed) {
+    resumed = {{any32()}, some(2, seat), any_time_us()};
+}
+void draw(server::TableChanged& changed) {
+    changed = {any64(), row()};
+}
+void draw(server::TableListChange& change) {
+    change = {some(5, row), some(5, [] { return TableId{any32()}; })};
+}
+void draw(server::InviteMade& made) {
+    made = {{any32()}, coin(), invite(), any_time_us()};
+}
+server::HistoryRow history_row() {
+    return {.match = any64(),
+            .ended_s = any_time_us(),
+            .game = up_to(rules::Game::Practice),
+            .names = {{*any_text(kMaxShownNameLength), *any_text(kMaxShownNameLength)}},
+            .racks_won = counts(),
+            .winner = maybe(seat),
+            .shots = any32(),
+            .ending = up_to(server::Ending::Abandoned)};
+}
+void draw(server::HistoryPage& page) {
+    page = {some(5, history_row), coin()};
+}
+void draw(server::PlayerRecord& record) {
+    record = {*any_text(kMaxShownNameLength), any32(), any32(), any32(), fine(3000), fine(400)};
+}
+void draw(server::ReplayChunk& chunk) {
+    chunk = {any64(), any64(), any64(), some(5, [] {
+                 return some(40, [] { return static_cast<std::byte>(within<int>(0, 256)); });
+             })};
 }
 
 void draw(match::PlaceCueBall& place) {
@@ -425,6 +272,7 @@ void draw(match::PlaceBall& place) {
 void draw(match::Undo&) {}
 void draw(match::Repeat&) {}
 void draw(match::Rerack&) {}
+void draw(match::Forfeit&) {}
 
 /// Any alternative of the variant.
 template <class Variant, std::size_t... indices>

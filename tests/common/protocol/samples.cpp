@@ -31,6 +31,12 @@ model::Shot sample_shot() {
             .elevation_rad = 0.0625};
 }
 
+InviteSecret sample_invite() {
+    InviteSecret secret{};
+    for (std::size_t i = 0; i < secret.size(); ++i) secret[i] = static_cast<std::uint8_t>(200 - i);
+    return secret;
+}
+
 match::Settings settings() {
     return {.game = rules::Game::EightBall,
             .options = {.call = false},
@@ -148,6 +154,32 @@ server::TableRow row() {
             .spectators = 12};
 }
 
+server::SeatView away() {
+    server::SeatView view = seat("");
+    view.name = "Bo#0001";
+    view.claimable_us = 60'000'000;
+    return view;
+}
+
+server::TableRow private_row() {
+    server::TableRow made = row();
+    made.is_private = true;
+    made.has_passcode = true;
+    made.owner = "Ada#3f21";
+    return made;
+}
+
+server::HistoryRow history_row() {
+    return {.match = 41,
+            .ended_s = 1'767'225'600,
+            .game = rules::Game::NineBall,
+            .names = {{"Ada#3f21", "Bo#0001"}},
+            .racks_won = {{5, 4}},
+            .winner = Seat::First,
+            .shots = 212,
+            .ending = server::Ending::Claimed};
+}
+
 server::ShotPlayed shot_played() {
     return {.sequence = 77,
             .struck_us = -5,
@@ -243,6 +275,33 @@ std::vector<Sample<ClientMessage>> client_samples() {
         {"concede", {15, client::Concede{}}},
         {"chat", {16, client::Chat{"good shot 🎱"}}},
         {"ping", {0xffffffffU, client::Ping{-123'456'789'012}}},
+        {"hello of a follower",
+         {20, client::Hello{"Ada", sample_token(), client::Followed{TableId{9}, 1ULL << 63U, 77}}}},
+        {"create private table",
+         {21, client::CreateTable{"Ada's", settings(), Role::Player, true, "blue chalk"}}},
+        {"join by invite", {22, client::Join{TableId{9}, Role::Player, sample_invite(), ""}}},
+        {"join by passcode", {23, client::Join{TableId{9}, Role::Spectator, {}, "blue chalk"}}},
+        {"follow tables", {24, client::FollowTables{}}},
+        {"quick match", {25, client::QuickMatch{rules::Game::NineBall}}},
+        {"change table", {26, client::ChangeTable{all_settings(), true, "green chalk"}}},
+        {"change table but its passcode", {27, client::ChangeTable{settings(), false, {}}}},
+        {"make invite", {28, client::MakeInvite{Role::Spectator}}},
+        {"revoke invites", {29, client::RevokeInvites{}}},
+        {"kick", {30, client::Kick{"Bo#0001"}}},
+        {"rematch", {31, client::Rematch{}}},
+        {"claim match", {32, client::ClaimMatch{}}},
+        {"extend", {33, client::Extend{turn}}},
+        {"offer", {34, client::Offer{turn, match::OfferKind::Draw}}},
+        {"answer", {35, client::Answer{turn, true}}},
+        {"claim stalemate", {36, client::ClaimStalemate{turn}}},
+        {"spot nearest", {37, client::SpotNearest{turn}}},
+        {"place ball", {38, client::PlaceBall{BallId{9}, {0.25, -0.1}}}},
+        {"undo", {39, client::Undo{}}},
+        {"repeat", {40, client::Repeat{}}},
+        {"rerack", {41, client::Rerack{}}},
+        {"ask history", {42, client::AskHistory{"Bo#0001", 99}}},
+        {"ask record", {43, client::AskRecord{"Bo#0001"}}},
+        {"ask replay", {44, client::AskReplay{41, 64}}},
     };
 }
 
@@ -273,11 +332,35 @@ std::vector<Sample<ServerMessage>> server_samples() {
                                            fresh(), turn()}},
         {"match moved by the clock",
          server::MatchMoved{84, Seat::First, {}, {}, choosing(), server::Turn{}}},
-        {"match over", server::MatchOver{85, Seat::Second, {{4, 5}}, 120, true}},
-        {"match drawn", server::MatchOver{87, {}, {{4, 5}}, 121, false}},
+        {"match over",
+         server::MatchOver{85, Seat::Second, {{4, 5}}, 120, server::Ending::Conceded}},
+        {"match drawn", server::MatchOver{87, {}, {{4, 5}}, 121, server::Ending::Played}},
         {"chat said", server::ChatSaid{"Ada#3f21", "good shot 🎱"}},
         {"notice", server::Notice{server::NoticeCode::ReplacedByNewConnection, "from elsewhere"}},
         {"pong", server::Pong{-1, 2}},
+        {"player away", server::SeatChanged{88, {{seat("Ada#3f21"), away()}}, 3}},
+        {"private table list", server::TableList{{private_row()}}},
+        {"table snapshot with its stream", server::TableSnapshot{.sequence = 89,
+                                                                 .row = private_row(),
+                                                                 .your_seats = {Seat::Second},
+                                                                 .match = {},
+                                                                 .rolling = {},
+                                                                 .turn = {},
+                                                                 .server_time_us = 6,
+                                                                 .stream = 1ULL << 63U}},
+        {"match moved by an answer",
+         server::MatchMoved{90, Seat::First, {}, {}, disputed(), turn(), server::Move::Rejection}},
+        {"match claimed", server::MatchOver{91, Seat::First, {{1, 1}}, 9, server::Ending::Claimed}},
+        {"kicked", server::Notice{server::NoticeCode::Kicked, "by the owner"}},
+        {"not the owner", server::Refused{RefusedCode::NotOwner, {}, "", 29}},
+        {"resumed", server::Resumed{TableId{9}, {Seat::First}, 123}},
+        {"table changed", server::TableChanged{92, private_row()}},
+        {"table list change", server::TableListChange{{row()}, {TableId{3}, TableId{4}}}},
+        {"invite made", server::InviteMade{TableId{9}, true, sample_invite(), 86'400'000'000}},
+        {"history page", server::HistoryPage{{history_row(), server::HistoryRow{}}, true}},
+        {"player record", server::PlayerRecord{"Ada#3f21", 12, 7, 1, 1580.25, 91.5}},
+        {"replay chunk",
+         server::ReplayChunk{41, 64, 300, {{std::byte{1}, std::byte{255}}, {std::byte{7}}}}},
     };
 }
 
@@ -309,7 +392,8 @@ std::vector<Sample<JournalEntry>> journal_samples() {
             {"place ball", entry(match::PlaceBall{BallId{9}, {0.25, -0.1}})},
             {"undo", entry(match::Undo{})},
             {"repeat", entry(match::Repeat{})},
-            {"rerack", entry(match::Rerack{})}};
+            {"rerack", entry(match::Rerack{})},
+            {"forfeit", entry(match::Forfeit{})}};
 }
 
 StoredSettings sample_settings() {

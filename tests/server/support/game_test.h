@@ -6,6 +6,7 @@
 #include "common/match/placement.h"
 #include "common/model/table_spec.h"
 #include "server/lobby/lobby.h"
+#include "tests/server/support/manual_archive.h"
 #include "tests/server/support/manual_committer.h"
 #include "tests/server/support/recording_outbox.h"
 
@@ -34,6 +35,7 @@ class GameTest : public testing::Test {
     void restart() {
         lobby.reset();
         committer.kill();
+        archive.kill();
         const StoredWorld world = committer.durable();
         start();
         left_alone = lobby->restore(now, world);
@@ -118,12 +120,13 @@ class GameTest : public testing::Test {
     base::Instant now{};
     RecordingOutbox outbox;
     ManualCommitter committer;
+    ManualArchive archive;
     std::unique_ptr<Lobby> lobby;
     std::vector<std::string> left_alone;
     bool disk_is_slow = false;
 
     void start() {
-        lobby = std::make_unique<Lobby>(limits, outbox, committer, [this](auto bytes) {
+        lobby = std::make_unique<Lobby>(limits, outbox, committer, archive, [this](auto bytes) {
             for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random.next());
         });
     }

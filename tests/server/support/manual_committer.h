@@ -87,10 +87,13 @@ class ManualCommitter final : public Committer {
         match.entries.push_back(write.entry);
     }
     void keep(const FinishMatch& write) { matches_.at(write.match).finished = true; }
+    void keep(const SaveTable& write) { tables_[write.table.table] = write.table; }
+    void keep(const RemoveTable& write) { tables_.erase(write.table); }
 
     std::deque<Submission> waiting_;
     std::map<PlayerId, StoredPlayer> players_;
     std::map<MatchId, Match> matches_;
+    std::map<protocol::TableId, StoredTable> tables_;
 };
 
 }  // namespace billiards::server

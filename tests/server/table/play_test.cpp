@@ -291,7 +291,7 @@ TEST_F(PlayTest, EndsWithAConcessionAndStartsAgainWhenBothAreReady) {
     for (const SessionId session : {ada, grace, linus}) {
         const auto over = last<told::MatchOver>(session);
         EXPECT_EQ(over.winner, Seat::First);
-        EXPECT_TRUE(over.conceded);
+        EXPECT_EQ(over.ending, told::Ending::Conceded);
     }
     EXPECT_EQ(last<told::MatchMoved>(ada).after.stage, match::Stage::Over);
     EXPECT_EQ(lobby->stats().matches_running, 0U);
