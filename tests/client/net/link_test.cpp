@@ -97,7 +97,7 @@ TEST(Link, SaysThatTheServerSpeaksAnotherVersion) {
         peer.wait_until_closed();
     });
     EXPECT_EQ(lost.code, LostCode::OtherVersion);
-    EXPECT_NE(lost.reason.find("2.0"), std::string::npos) << lost.reason;
+    EXPECT_NE(lost.reason.find("2.1"), std::string::npos) << lost.reason;
     EXPECT_NE(lost.reason.find("1.1"), std::string::npos) << lost.reason;
 }
 
