@@ -26,6 +26,11 @@ struct LobbyLimits {
     /// Of one table, while one step is on its way to the disk.
     std::size_t queued_commands = 8;
 
+    int wrong_secrets_per_min = 5;       ///< Invites and passcodes tried at one table.
+    std::size_t invites_per_table = 32;  ///< That stand at once.
+    std::size_t kicked_per_table = 100;  ///< Remembered; the oldest is forgotten first.
+    base::Duration invite_kept = std::chrono::hours(24);  ///< Counts anew after a restart.
+
     /// A shot with a longer record is refused as unsolvable: it would not fit into a frame.
     std::size_t record_bytes = protocol::kMaxRecordBytes;
 

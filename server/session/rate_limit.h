@@ -19,9 +19,12 @@ class RateLimit {
     /// All of a period's count may come at once.
     RateLimit(int count, base::Duration per) : RateLimit(count, per, count) {}
 
+    /// Whether one more would be within the rate; it is not counted.
+    bool has_room(base::Instant now) const { return now + tolerance_ >= expected_; }
+
     /// Counts this one, if it may pass.
     bool allows(base::Instant now) {
-        if (now + tolerance_ < expected_) return false;
+        if (!has_room(now)) return false;
         expected_ = std::max(expected_, now) + interval_;
         return true;
     }

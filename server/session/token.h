@@ -4,9 +4,11 @@
 #include "common/protocol/messages.h"
 #include "server/store/match_store.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string_view>
 
 namespace billiards::server {
 
@@ -18,6 +20,18 @@ protocol::ResumeToken new_token(const RandomBytes& random);
 
 /// SHA-256. A token is 256 random bits, so neither salt nor stretching would add anything.
 TokenHash hash_of(const protocol::ResumeToken& token);
+
+protocol::InviteSecret new_invite(const RandomBytes& random);
+
+/// SHA-256, for the reason given above.
+SecretHash hash_of(const protocol::InviteSecret& invite);
+
+using Salt = std::array<std::uint8_t, 16>;
+
+/// SHA-256 of the salt and the passcode after it, so that equal passcodes of two tables do not
+/// look equal. Whoever reads the database can try passcodes out; only few can be tried from
+/// outside.
+SecretHash hash_of(const Salt& salt, std::string_view passcode);
 
 /// Takes the same time wherever the two differ.
 bool is_equal(const TokenHash& a, const TokenHash& b);

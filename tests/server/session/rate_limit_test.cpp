@@ -28,6 +28,14 @@ TEST(RateLimit, LetsOnePassAnIntervalOnceTheBurstIsSpent) {
     EXPECT_FALSE(limit.allows(base::Instant{1250ms}));
 }
 
+TEST(RateLimit, TellsWhetherThereIsRoomWithoutTakingIt) {
+    RateLimit limit(1, 10s);
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(limit.has_room(base::Instant{}));
+    EXPECT_TRUE(limit.allows(base::Instant{}));
+    EXPECT_FALSE(limit.has_room(base::Instant{9999ms}));
+    EXPECT_TRUE(limit.has_room(base::Instant{10s}));
+}
+
 TEST(RateLimit, DoesNotSaveUpMoreThanTheBurst) {
     RateLimit limit(8, 10s);
     limit.allows(base::Instant{});
