@@ -69,9 +69,10 @@ bool Access::is_kicked(PlayerId player) const {
 
 Access::Result<Admission> Access::admits(base::Instant now, PlayerId player, Role role,
                                          const Shown& shown) {
+    drop_expired(now);
     if (is_kicked(player)) return RefusedCode::NotAllowed;
     if (!is_private_ || is_owner(player)) return Admission{};
-    if (const auto* invite = shown.invite ? standing(now, *shown.invite, role) : nullptr) {
+    if (const auto* invite = shown.invite ? standing(*shown.invite, role) : nullptr) {
         const bool is_spent = invite->stored.is_for_playing && role != Role::Spectator;
         return is_spent ? Admission{invite->stored.hash} : Admission{};
     }
@@ -94,7 +95,7 @@ bool Access::used(const Admission& admission) {
     return true;
 }
 
-void Access::store_into(StoredTable& table, base::Instant now) const {
+void Access::store_into(StoredTable& table) const {
     table.owner = owner_.player;
     table.is_private = is_private_;
     table.passcode_hash.reset();
@@ -104,20 +105,17 @@ void Access::store_into(StoredTable& table, base::Instant now) const {
         table.passcode_salt = passcode_->salt;
     }
     table.invites.clear();
-    for (const StandingInvite& invite : invites_) {
-        if (now < invite.expires) table.invites.push_back(invite.stored);
-    }
+    for (const StandingInvite& invite : invites_) table.invites.push_back(invite.stored);
     table.kicked = kicked_;
 }
 
-const Access::StandingInvite* Access::standing(base::Instant now,
-                                               const protocol::InviteSecret& secret,
+const Access::StandingInvite* Access::standing(const protocol::InviteSecret& secret,
                                                Role role) const {
     const SecretHash hash = hash_of(secret);
     for (const StandingInvite& invite : invites_) {
         if (!is_equal(invite.stored.hash, hash)) continue;
         const bool is_enough = invite.stored.is_for_playing || role == Role::Spectator;
-        return is_enough && now < invite.expires ? &invite : nullptr;
+        return is_enough ? &invite : nullptr;
     }
     return nullptr;
 }

@@ -79,9 +79,8 @@ class Access {
     /// The seat was taken. True where a play invite was used up by it.
     bool used(const Admission& admission);
 
-    /// Fills the fields that are this class's own: owner, passcode, invites that are still good,
-    /// the kicked.
-    void store_into(StoredTable& table, base::Instant now) const;
+    /// Fills the fields that are this class's own: owner, passcode, invites, the kicked.
+    void store_into(StoredTable& table) const;
 
   private:
     struct Passcode {
@@ -93,8 +92,7 @@ class Access {
         base::Instant expires{};
     };
 
-    const StandingInvite* standing(base::Instant now, const protocol::InviteSecret& secret,
-                                   protocol::Role role) const;
+    const StandingInvite* standing(const protocol::InviteSecret& secret, protocol::Role role) const;
     bool opens(std::string_view passcode) const;
     void drop_expired(base::Instant now);
 

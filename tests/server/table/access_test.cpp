@@ -33,7 +33,7 @@ class AccessTest : public testing::Test {
     }
     StoredTable stored() const {
         StoredTable table;
-        access.store_into(table, now);
+        access.store_into(table);
         return table;
     }
 
@@ -241,7 +241,7 @@ TEST_F(AccessTest, IsTheSameAfterARestartAndItsInvitesAsGoodAsNew) {
 
     Access again(limits, table, "Ada#0001", base::Instant{});
     StoredTable again_stored;
-    again.store_into(again_stored, base::Instant{});
+    again.store_into(again_stored);
     EXPECT_EQ(again_stored, table);
     EXPECT_EQ(again.owner().name, "Ada#0001");
     const base::Instant later = base::Instant{} + limits.invite_kept - 1us;
