@@ -32,7 +32,7 @@ Answer<replay::Replay> replay_of(MatchStore& store, const EndedMatch& ended) {
     const StoredMatch& match = ended.match;
     const auto players = store.players();
     if (!players) return players.error().detail;
-    const auto journal = store.journal(match.match);
+    const auto journal = whole_journal(store, match.match);
     if (!journal) return journal.error().detail;
     const auto settings = protocol::decode_settings(match.settings);
     if (!settings) return "settings: " + settings.error().detail;

@@ -43,7 +43,7 @@ StoredWorld load_world(MatchStore& store) {
     world.players = value_or_throw(store.players());
     world.highest = value_or_throw(store.highest_ids());
     for (StoredMatch& match : value_or_throw(store.live_matches())) {
-        auto entries = value_or_throw(store.journal(match.match));
+        auto entries = value_or_throw(whole_journal(store, match.match));
         world.matches.push_back({std::move(match), std::move(entries)});
     }
     return world;

@@ -3,16 +3,19 @@
 
 #include "common/protocol/limits.h"
 #include "common/protocol/packing.h"
+#include "server/store/opened_file.h"
+#include "server/store/sqlite_age.h"
+#include "server/store/sqlite_errors.h"
+#include "server/store/sqlite_results.h"
+#include "server/store/sqlite_row.h"
 #include "server/store/sqlite_schema.h"
+#include "server/store/sqlite_sweep.h"
+#include "server/store/sqlite_tables.h"
 
-#include <SQLiteCpp/Column.h>
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
-#include <algorithm>
-#include <exception>
 #include <fmt/format.h>
-#include <optional>
 #include <sqlite3.h>
 #include <string>
 #include <utility>
@@ -20,60 +23,8 @@
 namespace billiards::server {
 namespace {
 
-/// For a reader from outside, such as a backup, that holds the file for a moment.
-constexpr int kBusyTimeout_ms = 5000;
-
-StoreErrorCode code_of(const SQLite::Exception& error) {
-    switch (error.getErrorCode() & 0xff) {  // The primary code is the lowest byte.
-        case SQLITE_CANTOPEN:
-        case SQLITE_PERM:
-        case SQLITE_READONLY:
-            return StoreErrorCode::CannotOpen;
-        case SQLITE_CORRUPT:
-        case SQLITE_NOTADB:
-            return StoreErrorCode::Corrupt;
-        case SQLITE_FULL:
-            return StoreErrorCode::Full;
-        case SQLITE_BUSY:
-        case SQLITE_LOCKED:
-            return StoreErrorCode::Busy;
-        default:
-            return StoreErrorCode::Failed;
-    }
-}
-
-/// Runs what may throw; gives its result, or the exception as an error.
-template <class Call>
-auto guarded(const std::filesystem::path& file, const Call& call) -> decltype(call()) {
-    try {
-        return call();
-    } catch (const SQLite::Exception& error) {
-        return StoreError{code_of(error), fmt::format("{}: {}", file.string(), error.what())};
-    } catch (const std::exception& error) {
-        return StoreError{StoreErrorCode::Failed,
-                          fmt::format("{}: {}", file.string(), error.what())};
-    }
-}
-
-// SQLite's integers are signed; every identity and sequence number keeps its 64 bits.
-std::int64_t stored(std::uint64_t number) {
-    return static_cast<std::int64_t>(number);
-}
-std::uint64_t read_number(const SQLite::Column& column) {
-    return static_cast<std::uint64_t>(column.getInt64());
-}
-
-template <class Container>
-void bind_bytes(SQLite::Statement& statement, int index, const Container& bytes) {
-    // A null pointer would bind NULL instead of no bytes.
-    const void* data = bytes.empty() ? static_cast<const void*>("") : bytes.data();
-    statement.bindNoCopy(index, data, static_cast<int>(bytes.size()));
-}
-
-protocol::Bytes read_bytes(const SQLite::Column& column) {
-    const auto* data = static_cast<const std::byte*>(column.getBlob());
-    return {data, data + column.getBytes()};
-}
+/// Of the write-ahead log, once it has been copied into the file: a long reader lets it grow.
+constexpr int kLogKept_bytes = 64 * 1024 * 1024;
 
 /// The columns of read_match.
 constexpr const char* kMatch =
@@ -107,41 +58,29 @@ base::Result<StoredEntry, protocol::DecodeError> read_entry(SQLite::Statement& r
                                  .record = std::move(record).value()}};
 }
 
-/// None where the column is NULL or has another length.
-std::optional<TokenHash> read_hash(const SQLite::Column& column) {
-    TokenHash hash;
-    if (column.getBytes() != static_cast<int>(hash.size())) return std::nullopt;
-    std::copy_n(static_cast<const std::uint8_t*>(column.getBlob()), hash.size(), hash.begin());
-    return hash;
-}
-
-/// A prepared statement in use; ready to be used again once this is gone, whatever happened.
-class Use {
-  public:
-    explicit Use(SQLite::Statement& statement) : statement_(statement) {}
-    ~Use() { statement_.tryReset(); }
-    Use(const Use&) = delete;
-    Use& operator=(const Use&) = delete;
-
-    SQLite::Statement* operator->() const { return &statement_; }
-    SQLite::Statement& operator*() const { return statement_; }
-
-  private:
-    SQLite::Statement& statement_;
-};
-
 class SqliteStore final : public MatchStore {
   public:
     /// The file stands open and migrated.
-    SqliteStore(SQLite::Database database, std::filesystem::path file)
-        : database_(std::move(database)), file_(std::move(file)) {}
+    SqliteStore(SQLite::Database database, std::filesystem::path file, StoreClock clock)
+        : database_(std::move(database)),
+          file_(std::move(file)),
+          age_(database_, std::move(clock)) {}
 
     StoreResult<base::Done> commit(std::span<const Write> writes) override;
     StoreResult<std::vector<StoredPlayer>> players() override;
+    StoreResult<std::vector<StoredTable>> tables() override;
     StoreResult<std::vector<StoredMatch>> live_matches() override;
     StoreResult<std::vector<EndedMatch>> ended_matches() override;
-    StoreResult<std::vector<StoredEntry>> journal(MatchId match) override;
+    StoreResult<std::optional<KnownMatch>> last_match(protocol::TableId table) override;
+    StoreResult<std::optional<KnownMatch>> find_match(MatchId match) override;
+    StoreResult<base::Done> journal(MatchId match, const EntryVisitor& visit,
+                                    std::uint64_t records_from) override;
     StoreResult<HighestIds> highest_ids() override;
+    StoreResult<std::optional<PlayerId>> player_named(const std::string& name) override;
+    StoreResult<std::vector<StoredResult>> history(const HistoryQuery& query) override;
+    StoreResult<bool> may_see(MatchId match, PlayerId asker) override;
+    StoreResult<Standing> standing(PlayerId player, PlayerId asker) override;
+    StoreResult<Swept> sweep(const Retention& retention) override;
 
   private:
     void on(const SavePlayer& write);
@@ -150,18 +89,27 @@ class SqliteStore final : public MatchStore {
     void on(const FinishMatch& write);
     void on(const SaveTable& write);
     void on(const RemoveTable& write);
+    void given(const char* kind, std::uint64_t id);
+    void delete_match(MatchId match);
+    std::optional<StoreError> gone() const;
+    StoreResult<std::optional<KnownMatch>> match_where(const char* condition, std::uint64_t id);
 
     SQLite::Database database_;
     std::filesystem::path file_;
+    SqliteAge age_;
+    OpenedFile opened_{file_};
+    SqliteTables tables_{database_};
+    SqliteResults results_{database_};
     SQLite::Statement save_player_{
         database_,
-        "INSERT INTO players (id, name, token_hash, previous_token_hash) VALUES (?, ?, ?, ?) "
-        "ON CONFLICT (id) DO UPDATE SET name = excluded.name, token_hash = excluded.token_hash, "
-        "previous_token_hash = excluded.previous_token_hash"};
+        "INSERT INTO players (id, name, token_hash, previous_token_hash, seen_s) "
+        "VALUES (?, ?, ?, ?, ?) ON CONFLICT (id) DO UPDATE SET name = excluded.name, "
+        "token_hash = excluded.token_hash, previous_token_hash = excluded.previous_token_hash, "
+        "seen_s = excluded.seen_s"};
     SQLite::Statement save_match_{
         database_,
         "INSERT INTO matches (id, table_id, table_name, first_player, second_player, settings, "
-        "engine, started_s) VALUES (?, ?, ?, ?, ?, ?, ?, unixepoch()) ON CONFLICT (id) DO UPDATE "
+        "engine, started_s) VALUES (?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (id) DO UPDATE "
         "SET table_id = excluded.table_id, "
         "table_name = excluded.table_name, first_player = excluded.first_player, "
         "second_player = excluded.second_player, settings = excluded.settings, "
@@ -170,23 +118,25 @@ class SqliteStore final : public MatchStore {
         database_,
         "INSERT INTO entries (match_id, seq, command, verdict, final_layout, record) "
         "VALUES (?, ?, ?, ?, ?, ?)"};
-    SQLite::Statement finish_match_{database_, "UPDATE matches SET ended = 1 WHERE id = ?"};
+    SQLite::Statement finish_match_{database_,
+                                    "UPDATE matches SET ended = 1, ended_age_s = ? WHERE id = ?"};
+    SQLite::Statement given_{database_, "UPDATE highest_ids SET id = max(id, ?) WHERE kind = ?"};
 };
 
 void SqliteStore::on(const SavePlayer& write) {
+    given("player", write.player.player.value);
     const Use use(save_player_);
     use->bind(1, stored(write.player.player.value));
     use->bindNoCopy(2, write.player.name);
     bind_bytes(*use, 3, write.player.token_hash);
-    if (write.player.previous_token_hash) {
-        bind_bytes(*use, 4, *write.player.previous_token_hash);
-    } else {
-        use->bind(4);  // NULL
-    }
+    bind_bytes(*use, 4, write.player.previous_token_hash);
+    use->bind(5, age_.now_s());
     use->exec();
 }
 
 void SqliteStore::on(const SaveMatch& write) {
+    given("match", write.match.match.value);
+    given("table", write.match.table.value);
     const Use use(save_match_);
     use->bind(1, stored(write.match.match.value));
     use->bind(2, stored(write.match.table.value));
@@ -195,6 +145,7 @@ void SqliteStore::on(const SaveMatch& write) {
     use->bind(5, stored(write.match.players[model::Seat::Second].value));
     bind_bytes(*use, 6, write.match.settings);
     use->bindNoCopy(7, write.match.engine);
+    use->bind(8, age_.calendar_s());
     use->exec();
 }
 
@@ -214,14 +165,57 @@ void SqliteStore::on(const AppendEntry& write) {
 }
 
 void SqliteStore::on(const FinishMatch& write) {
+    SQLite::Statement live(
+        database_, "SELECT first_player, second_player FROM matches WHERE id = ? AND ended = 0");
+    live.bind(1, stored(write.match.value));
+    if (!live.executeStep()) return;
+    if (write.result.shots == 0) return delete_match(write.match);
+    Ended ended{.match = write.match,
+                .players = {},
+                .result = write.result,
+                .age_s = age_.now_s(),
+                .calendar_s = age_.calendar_s()};
+    ended.players[model::Seat::First].value = read_number(live.getColumn(0));
+    ended.players[model::Seat::Second].value = read_number(live.getColumn(1));
     const Use use(finish_match_);
-    use->bind(1, stored(write.match.value));
+    use->bind(1, ended.age_s);
+    use->bind(2, stored(write.match.value));
+    use->exec();
+    results_.add(ended);
+}
+
+void SqliteStore::on(const SaveTable& write) {
+    given("table", write.table.table.value);
+    tables_.save(write.table);
+}
+
+void SqliteStore::on(const RemoveTable& write) {
+    tables_.remove(write.table);
+}
+
+void SqliteStore::given(const char* kind, std::uint64_t id) {
+    const Use use(given_);
+    use->bind(1, stored(id));
+    use->bind(2, kind);
     use->exec();
 }
 
-void SqliteStore::on(const SaveTable& /*write*/) {}
+void SqliteStore::delete_match(MatchId match) {
+    for (const char* statement :
+         {"DELETE FROM entries WHERE match_id = ?", "DELETE FROM matches WHERE id = ?"}) {
+        SQLite::Statement forget(database_, statement);
+        forget.bind(1, stored(match.value));
+        forget.exec();
+    }
+}
 
-void SqliteStore::on(const RemoveTable& /*write*/) {}
+std::optional<StoreError> SqliteStore::gone() const {
+    if (opened_.is_still_there()) return std::nullopt;
+    return StoreError{StoreErrorCode::Gone,
+                      fmt::format("{}: was deleted, moved or replaced while it was in use: put it "
+                                  "back, or start the server again",
+                                  file_.string())};
+}
 
 StoreResult<base::Done> SqliteStore::commit(std::span<const Write> writes) {
     return guarded(file_, [&]() -> StoreResult<base::Done> {
@@ -229,6 +223,7 @@ StoreResult<base::Done> SqliteStore::commit(std::span<const Write> writes) {
         for (const Write& write : writes) {
             std::visit([this](const auto& one) { on(one); }, write);
         }
+        if (auto error = gone()) return *std::move(error);
         transaction.commit();
         return base::Done{};
     });
@@ -241,8 +236,8 @@ StoreResult<std::vector<StoredPlayer>> SqliteStore::players() {
                                "SELECT id, name, token_hash, previous_token_hash FROM players "
                                "ORDER BY id");
         while (rows.executeStep()) {
-            const auto hash = read_hash(rows.getColumn(2));
-            const auto previous = read_hash(rows.getColumn(3));
+            const auto hash = read_array<std::tuple_size_v<TokenHash>>(rows.getColumn(2));
+            const auto previous = read_array<std::tuple_size_v<TokenHash>>(rows.getColumn(3));
             if (!hash || (!previous && !rows.isColumnNull(3))) {
                 return StoreError{StoreErrorCode::Corrupt,
                                   fmt::format("{}: a token hash of player {} has another length",
@@ -253,6 +248,10 @@ StoreResult<std::vector<StoredPlayer>> SqliteStore::players() {
         }
         return players;
     });
+}
+
+StoreResult<std::vector<StoredTable>> SqliteStore::tables() {
+    return guarded(file_, [&]() -> StoreResult<std::vector<StoredTable>> { return tables_.all(); });
 }
 
 StoreResult<std::vector<StoredMatch>> SqliteStore::live_matches() {
@@ -278,13 +277,37 @@ StoreResult<std::vector<EndedMatch>> SqliteStore::ended_matches() {
     });
 }
 
-StoreResult<std::vector<StoredEntry>> SqliteStore::journal(MatchId match) {
-    return guarded(file_, [&]() -> StoreResult<std::vector<StoredEntry>> {
-        std::vector<StoredEntry> entries;
+StoreResult<std::optional<KnownMatch>> SqliteStore::match_where(const char* condition,
+                                                                std::uint64_t id) {
+    return guarded(file_, [&]() -> StoreResult<std::optional<KnownMatch>> {
+        SQLite::Statement row(database_,
+                              fmt::format("SELECT {}, ended FROM matches WHERE {} AND ended < 2 "
+                                          "ORDER BY id DESC LIMIT 1",
+                                          kMatch, condition));
+        row.bind(1, stored(id));
+        if (!row.executeStep()) return std::optional<KnownMatch>();
+        const bool is_over = row.getColumn("ended").getInt() != 0;
+        return std::optional(KnownMatch{read_match(row), is_over});
+    });
+}
+
+StoreResult<std::optional<KnownMatch>> SqliteStore::last_match(protocol::TableId table) {
+    return match_where("table_id = ?", table.value);
+}
+
+StoreResult<std::optional<KnownMatch>> SqliteStore::find_match(MatchId match) {
+    return match_where("id = ?", match.value);
+}
+
+StoreResult<base::Done> SqliteStore::journal(MatchId match, const EntryVisitor& visit,
+                                             std::uint64_t records_from) {
+    return guarded(file_, [&]() -> StoreResult<base::Done> {
         SQLite::Statement rows(database_,
-                               "SELECT seq, command, verdict, final_layout, record FROM entries "
-                               "WHERE match_id = ? ORDER BY seq");
+                               "SELECT seq, command, verdict, final_layout, "
+                               "iif(seq < ?2, x'', record) FROM entries "
+                               "WHERE match_id = ?1 ORDER BY seq");
         rows.bind(1, stored(match.value));
+        rows.bind(2, stored(records_from));
         while (rows.executeStep()) {
             auto entry = read_entry(rows);
             if (!entry) {
@@ -293,18 +316,18 @@ StoreResult<std::vector<StoredEntry>> SqliteStore::journal(MatchId match) {
                     fmt::format("{}: entry {} of match {}: {}", file_.string(),
                                 read_number(rows.getColumn(0)), match.value, entry.error().detail)};
             }
-            entries.push_back(std::move(entry).value());
+            if (!visit(std::move(entry).value())) break;
         }
-        return entries;
+        return base::Done{};
     });
 }
 
 StoreResult<MatchStore::HighestIds> SqliteStore::highest_ids() {
     return guarded(file_, [&]() -> StoreResult<HighestIds> {
         SQLite::Statement row(database_,
-                              "SELECT (SELECT ifnull(max(id), 0) FROM players), "
-                              "(SELECT ifnull(max(id), 0) FROM matches), "
-                              "(SELECT ifnull(max(table_id), 0) FROM matches)");
+                              "SELECT (SELECT id FROM highest_ids WHERE kind = 'player'), "
+                              "(SELECT id FROM highest_ids WHERE kind = 'match'), "
+                              "(SELECT id FROM highest_ids WHERE kind = 'table')");
         row.executeStep();
         return HighestIds{.player = read_number(row.getColumn(0)),
                           .match = read_number(row.getColumn(1)),
@@ -312,8 +335,52 @@ StoreResult<MatchStore::HighestIds> SqliteStore::highest_ids() {
     });
 }
 
+StoreResult<std::optional<PlayerId>> SqliteStore::player_named(const std::string& name) {
+    return guarded(file_, [&]() -> StoreResult<std::optional<PlayerId>> {
+        SQLite::Statement row(database_,
+                              "SELECT id FROM players WHERE name = ? ORDER BY id DESC LIMIT 1");
+        row.bind(1, name);
+        if (!row.executeStep()) return std::optional<PlayerId>();
+        return std::optional(PlayerId{read_number(row.getColumn(0))});
+    });
+}
+
+StoreResult<std::vector<StoredResult>> SqliteStore::history(const HistoryQuery& query) {
+    return guarded(file_, [&]() -> StoreResult<std::vector<StoredResult>> {
+        return results_.history(query, age_.now_s());
+    });
+}
+
+StoreResult<bool> SqliteStore::may_see(MatchId match, PlayerId asker) {
+    return guarded(
+        file_, [&]() -> StoreResult<bool> { return results_.may_see(match, asker, age_.now_s()); });
+}
+
+StoreResult<Standing> SqliteStore::standing(PlayerId player, PlayerId asker) {
+    return guarded(file_, [&]() -> StoreResult<Standing> {
+        return results_.standing(player, asker, age_.now_s());
+    });
+}
+
+StoreResult<Swept> SqliteStore::sweep(const Retention& retention) {
+    return guarded(file_, [&]() -> StoreResult<Swept> {
+        SQLite::Transaction transaction(database_, SQLite::TransactionBehavior::IMMEDIATE);
+        age_.keep();
+        const std::int64_t age_s = age_.now_s();
+        if (retention.guests && retention.kept_s != 0) {
+            forget_guests(database_, retention.kept_s, retention.entries_at_once, age_s);
+        }
+        const Swept swept = sweep_journals(database_, retention, age_s);
+        if (auto error = gone()) return *std::move(error);
+        transaction.commit();
+        give_pages_back(database_);
+        return swept;
+    });
+}
+
 /// Durable means: in the log, and the log on the disk, before commit() returns.
-StoreResult<base::Done> set_up(SQLite::Database& database, const std::filesystem::path& file) {
+StoreResult<base::Done> set_up(SQLite::Database& database, const std::filesystem::path& file,
+                               const SqliteOptions& options) {
     // A file that may only be read opens all the same: better to know now than at the first match.
     if (sqlite3_db_readonly(database.getHandle(), "main") != 0) {
         return StoreError{StoreErrorCode::CannotOpen, file.string() + ": may not be written"};
@@ -324,31 +391,39 @@ StoreResult<base::Done> set_up(SQLite::Database& database, const std::filesystem
                           file.string() + ": this file system does not bear a write-ahead log"};
     }
     database.exec("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON");
+    database.exec(fmt::format("PRAGMA journal_size_limit = {}", kLogKept_bytes));
+    if (options.most_pages) {
+        database.exec(fmt::format("PRAGMA max_page_count = {}", *options.most_pages));
+    }
     return base::Done{};
 }
 
 }  // namespace
 
-StoreResult<std::unique_ptr<MatchStore>> open_sqlite_store(const std::filesystem::path& file) {
+StoreResult<std::unique_ptr<MatchStore>> open_sqlite_store(const std::filesystem::path& file,
+                                                           const SqliteOptions& options) {
     using Opened = StoreResult<std::unique_ptr<MatchStore>>;
     return guarded(file, [&]() -> Opened {
         SQLite::Database database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
-                                  kBusyTimeout_ms);
+                                  static_cast<int>(options.busy_timeout.count()));
         auto migrated = migrate(database, file);
         if (!migrated) return std::move(migrated).error();
-        auto set = set_up(database, file);
+        auto set = set_up(database, file, options);
         if (!set) return std::move(set).error();
-        return Opened(std::make_unique<SqliteStore>(std::move(database), file));
+        SqliteAge(database, options.clock).begin();  // From here the log stands beside the file.
+        return Opened(std::make_unique<SqliteStore>(std::move(database), file, options.clock));
     });
 }
 
-StoreResult<std::unique_ptr<MatchStore>> open_sqlite_reader(const std::filesystem::path& file) {
+StoreResult<std::unique_ptr<MatchStore>> open_sqlite_reader(const std::filesystem::path& file,
+                                                            const SqliteOptions& options) {
     using Opened = StoreResult<std::unique_ptr<MatchStore>>;
     return guarded(file, [&]() -> Opened {
-        SQLite::Database database(file.string(), SQLite::OPEN_READONLY, kBusyTimeout_ms);
+        SQLite::Database database(file.string(), SQLite::OPEN_READONLY,
+                                  static_cast<int>(options.busy_timeout.count()));
         auto checked = check_version(database, file);
         if (!checked) return std::move(checked).error();
-        return Opened(std::make_unique<SqliteStore>(std::move(database), file));
+        return Opened(std::make_unique<SqliteStore>(std::move(database), file, options.clock));
     });
 }
 

@@ -64,7 +64,7 @@ int Host::stop() {
 std::vector<Host::JournalledShot> Host::journalled_shots() const {
     const auto store = server::open_sqlite_store(data() / "billiards.db");
     if (!store) throw std::runtime_error(store.error().detail);
-    const auto entries = (*store)->journal(server::MatchId{1});
+    const auto entries = whole_journal(**store, server::MatchId{1});
     if (!entries) throw std::runtime_error(entries.error().detail);
     std::vector<JournalledShot> shots;
     for (const server::StoredEntry& stored : *entries) {

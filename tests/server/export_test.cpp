@@ -32,7 +32,7 @@ class Export : public testing::Test {
         commit({SavePlayer{{{7}, replay_.header.players[model::Seat::First], {}, {}}},
                 SavePlayer{{{8}, replay_.header.players[model::Seat::Second], {}, {}}}});
         for (const std::uint64_t id : {1U, 2U}) save_match({id});
-        commit({FinishMatch{{1}}});
+        commit({FinishMatch{.match = {1}, .result = {.shots = 1}}});
     }
 
     void save_match(MatchId id) {

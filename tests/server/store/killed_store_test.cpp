@@ -71,7 +71,7 @@ TEST(KilledStore, LosesNothingItAcknowledgedAndHasNothingHalf) {
         ASSERT_GT(acknowledged, found) << "the writer could not write";
         const auto store = open_sqlite_store(file);
         ASSERT_TRUE(store.ok()) << store.error().detail;
-        const auto journal = store.value()->journal({1});
+        const auto journal = whole_journal(**store, {1});
         ASSERT_TRUE(journal.ok()) << journal.error().detail;
         found = journal->size();
         EXPECT_GE(found, acknowledged);

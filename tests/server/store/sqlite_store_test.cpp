@@ -54,24 +54,6 @@ TEST(SqliteStore, RefusesAFileOfANewerVersionAndLeavesItAsItWas) {
     EXPECT_FALSE(untouched.tableExists("players"));
 }
 
-TEST(SqliteStore, BringsAnOlderFileUpToDateForTheServerAlone) {
-    const TemporaryFolder folder;
-    const auto file = folder.path() / "test.db";
-    ASSERT_TRUE(open_sqlite_store(file).ok());
-    SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
-        .exec(
-            "ALTER TABLE matches DROP COLUMN engine; ALTER TABLE matches DROP COLUMN started_s;"
-            "INSERT INTO matches VALUES (1, 1, 'Friday', 1, 2, x'', 1); PRAGMA user_version = 1");
-    const auto reader = open_sqlite_reader(file);
-    ASSERT_FALSE(reader.ok());
-    EXPECT_THAT(reader.error().detail, testing::HasSubstr("older version"));
-    const auto ended = open_or_throw(file)->ended_matches().value();
-    ASSERT_EQ(ended.size(), 1U);
-    EXPECT_EQ(ended[0].match.engine, "unknown");
-    EXPECT_EQ(ended[0].started_s, 0);
-    EXPECT_TRUE(open_sqlite_reader(file).ok());
-}
-
 TEST(SqliteStore, RefusesAFileThatIsNoDatabase) {
     const TemporaryFolder folder;
     const auto file = folder.path() / "test.db";
@@ -98,7 +80,7 @@ StoreResult<std::vector<StoredEntry>> journal_after(const std::string& statement
     EXPECT_TRUE(store->commit(
         std::vector<Write>{SaveMatch{some_match(1)}, AppendEntry{{1}, some_entry(1)}}));
     SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec(statement);
-    return store->journal({1});
+    return whole_journal(*store, {1});
 }
 
 TEST(SqliteStore, KeepsRecordsPacked) {
@@ -110,7 +92,7 @@ TEST(SqliteStore, KeepsRecordsPacked) {
         std::vector<Write>{SaveMatch{some_match(1)}, AppendEntry{{1}, some_entry(1, record)}}));
     SQLite::Database database(file.string());
     EXPECT_LT(database.execAndGet("SELECT length(record) FROM entries").getInt(), 100);
-    EXPECT_EQ(store->journal({1}).value().at(0).entry.record, bytes_of(record));
+    EXPECT_EQ(whole_journal(*store, {1}).value().at(0).entry.record, bytes_of(record));
 }
 
 TEST(SqliteStore, ReadsColumnsThatWereNeverPacked) {

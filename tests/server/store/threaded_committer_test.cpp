@@ -52,8 +52,24 @@ class SlowStore final : public MatchStore {
     StoreResult<std::vector<StoredPlayer>> players() override { return no_rows(); }
     StoreResult<std::vector<StoredMatch>> live_matches() override { return no_rows(); }
     StoreResult<std::vector<EndedMatch>> ended_matches() override { return no_rows(); }
-    StoreResult<std::vector<StoredEntry>> journal(MatchId) override { return no_rows(); }
+    StoreResult<std::vector<StoredTable>> tables() override { return no_rows(); }
+    StoreResult<std::optional<KnownMatch>> last_match(protocol::TableId) override {
+        return no_rows();
+    }
+    StoreResult<std::optional<KnownMatch>> find_match(MatchId) override { return no_rows(); }
+    StoreResult<base::Done> journal(MatchId, const EntryVisitor&, std::uint64_t) override {
+        return no_rows();
+    }
     StoreResult<HighestIds> highest_ids() override { return no_rows(); }
+    StoreResult<std::optional<PlayerId>> player_named(const std::string&) override {
+        return no_rows();
+    }
+    StoreResult<std::vector<StoredResult>> history(const HistoryQuery&) override {
+        return no_rows();
+    }
+    StoreResult<bool> may_see(MatchId, PlayerId) override { return no_rows(); }
+    StoreResult<Standing> standing(PlayerId, PlayerId) override { return no_rows(); }
+    StoreResult<Swept> sweep(const Retention&) override { return no_rows(); }
 
   private:
     static StoreError no_rows() { return {StoreErrorCode::Failed, "only commits"}; }
