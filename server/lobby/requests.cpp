@@ -56,7 +56,8 @@ void Lobby::World::on(const Heard& heard, const client::CreateTable& message) {
         return;
     }
     const protocol::TableId id{++last_table};
-    tables.try_emplace(id, id, name->empty() ? player.stored.name : *name, message.settings, around,
+    tables.try_emplace(id, id, name->empty() ? player.stored.name : *name, message.settings,
+                       Access(around.limits, {player.stored.player, player.stored.name}), around,
                        heard.now);
     player.opened = id;
     take_place(heard, id, message.role);

@@ -26,8 +26,10 @@ base::Result<base::Done, std::string> Lobby::World::restore(base::Instant now,
     if (!refolded) return refolded.error();
     if (refolded->state.stage == match::Stage::Over) return std::string("it is over");
 
-    const auto [place, added] =
-        tables.try_emplace(id, id, live.match.table_name, refolded->state.settings, around, now);
+    const auto [place, added] = tables.try_emplace(
+        id, id, live.match.table_name, refolded->state.settings,
+        Access(around.limits, {live.match.players[model::Seat::First], names[model::Seat::First]}),
+        around, now);
     place->second.restore(now, live.match, *refolded, names);
     for (const model::Seat seat : model::kSeats) {
         players.find(live.match.players[seat])->table = id;

@@ -15,7 +15,7 @@ using protocol::RefusedCode;
 using protocol::Role;
 
 Access::Access(const LobbyLimits& limits, Owner owner)
-    : limits_(limits),
+    : limits_(&limits),
       owner_(std::move(owner)),
       wrong_secrets_(limits.wrong_secrets_per_min, std::chrono::minutes(1)) {}
 
@@ -50,8 +50,8 @@ Access::Result<base::Done> Access::change(bool is_private,
 Access::Result<Access::Invite> Access::invite(base::Instant now, bool is_for_playing,
                                               const RandomBytes& random) {
     drop_expired(now);
-    if (invites_.size() >= limits_.invites_per_table) return RefusedCode::TooMany;
-    const Invite made{.secret = new_invite(random), .expires = now + limits_.invite_kept};
+    if (invites_.size() >= limits_->invites_per_table) return RefusedCode::TooMany;
+    const Invite made{.secret = new_invite(random), .expires = now + limits_->invite_kept};
     invites_.push_back(
         {{.hash = hash_of(made.secret), .is_for_playing = is_for_playing}, made.expires});
     return made;
@@ -59,7 +59,7 @@ Access::Result<Access::Invite> Access::invite(base::Instant now, bool is_for_pla
 
 void Access::kick(PlayerId player) {
     if (is_kicked(player)) return;
-    if (kicked_.size() >= limits_.kicked_per_table) kicked_.erase(kicked_.begin());
+    if (kicked_.size() >= limits_->kicked_per_table) kicked_.erase(kicked_.begin());
     kicked_.push_back(player);
 }
 

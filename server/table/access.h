@@ -96,7 +96,7 @@ class Access {
     bool opens(std::string_view passcode) const;
     void drop_expired(base::Instant now);
 
-    const LobbyLimits& limits_;
+    const LobbyLimits* limits_;
     Owner owner_;
     bool is_private_ = false;
     std::optional<Passcode> passcode_;

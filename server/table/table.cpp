@@ -27,11 +27,12 @@ bool is_finite(const model::Shot& shot) {
 
 }  // namespace
 
-Table::Table(protocol::TableId id, std::string name, const match::Settings& settings,
+Table::Table(protocol::TableId id, std::string name, const match::Settings& settings, Access access,
              Surroundings& around, base::Instant now)
     : id_(id),
       name_(std::move(name)),
       settings_(settings),
+      access_(std::move(access)),
       around_(around),
       deserted_since_(now),
       aim_to_players_(around.limits.aim_per_s_to_players, std::chrono::seconds(1), kAimBurst),
@@ -240,7 +241,10 @@ protocol::server::TableRow Table::row() const {
             .seats = seating_.views(),
             .racks_won = match_ ? match_->state.racks_won : model::PerSeat<int>{},
             .playing = is_playing(),
-            .spectators = static_cast<std::uint32_t>(seating_.spectators())};
+            .spectators = static_cast<std::uint32_t>(seating_.spectators()),
+            .is_private = access_.is_private(),
+            .has_passcode = access_.has_passcode(),
+            .owner = access_.owner().name};
 }
 
 }  // namespace billiards::server

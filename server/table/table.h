@@ -10,6 +10,7 @@
 #include "common/protocol/messages.h"
 #include "server/session/rate_limit.h"
 #include "server/store/match_store.h"
+#include "server/table/access.h"
 #include "server/table/outbox.h"
 #include "server/table/refold.h"
 #include "server/table/refuse.h"
@@ -31,7 +32,7 @@ namespace billiards::server {
 class Table {
   public:
     /// The settings must be such that match::start takes them.
-    Table(protocol::TableId id, std::string name, const match::Settings& settings,
+    Table(protocol::TableId id, std::string name, const match::Settings& settings, Access access,
           Surroundings& around, base::Instant now);
     Table(const Table&) = delete;
     Table& operator=(const Table&) = delete;
@@ -84,6 +85,10 @@ class Table {
     /// No player is connected, and nothing would be lost by closing it.
     bool is_idle() const;
     protocol::server::TableRow row() const;
+    const match::Settings& settings() const { return settings_; }
+    /// Who may come in. The lobby asks it, and says so to the table where it changed.
+    Access& access() { return access_; }
+    const Access& access() const { return access_; }
 
   private:
     struct LastShot {
@@ -162,6 +167,7 @@ class Table {
     const protocol::TableId id_;
     const std::string name_;
     const match::Settings settings_;
+    Access access_;
     Surroundings& around_;
 
     Seating seating_;
