@@ -34,7 +34,7 @@ std::string new_discriminator(const RandomBytes& random) {
 void Lobby::World::on(const Heard& heard, const protocol::client::Hello& hello) {
     if (refuse_while_closing(heard)) return;
     if (hello.token) {
-        resume(heard, *hello.token);
+        resume(heard, *hello.token, hello.followed);
     } else {
         enrol(heard, hello.name);
     }
@@ -55,11 +55,12 @@ void Lobby::World::enrol(const Heard& heard, const std::string& name) {
     Player& player = players.add({.player = {++last_player},
                                   .name = *clean + new_discriminator(around.random),
                                   .token_hash = hash_of(token)});
-    enter(heard, player, token, true);
+    enter(heard, player, {.token = token, .followed = {}, .is_new = true});
 }
 
 /// Any wrong token counts, so that they cannot be tried out.
-void Lobby::World::resume(const Heard& heard, const protocol::ResumeToken& used) {
+void Lobby::World::resume(const Heard& heard, const protocol::ResumeToken& used,
+                          const std::optional<protocol::client::Followed>& followed) {
     const TokenHash used_hash = hash_of(used);
     Player* player = players.find(used_hash);
     if (player == nullptr) {
@@ -77,17 +78,16 @@ void Lobby::World::resume(const Heard& heard, const protocol::ResumeToken& used)
     }
     const protocol::ResumeToken fresh = new_token(around.random);
     players.rotate(*player, used_hash, hash_of(fresh));
-    enter(heard, *player, fresh, false);
+    enter(heard, *player, {.token = fresh, .followed = followed, .is_new = false});
 }
 
-void Lobby::World::enter(const Heard& heard, Player& player, const protocol::ResumeToken& token,
-                         bool is_new) {
+void Lobby::World::enter(const Heard& heard, Player& player, Entering entering) {
     heard.session.phase = Phase::Entering;
     heard.session.heard = heard.now;
     heard.session.player = player.stored.player;
     player.session = heard.session.id;
-    const Entering entering{
-        .asker = heard.asker(), .player = player.stored.player, .token = token, .is_new = is_new};
+    entering.asker = heard.asker();
+    entering.player = player.stored.player;
     around.committer.submit({SavePlayer{player.stored}},
                             [this, entering, submitted = heard.now](const Committed& committed) {
                                 around.stats.storage_failing = !committed.result.ok();
@@ -101,7 +101,7 @@ void Lobby::World::settle(base::Instant now, const Entering& entering, bool dura
     CHECK(player != nullptr);
     const bool is_here = player->session == entering.asker.session;
     if (is_here && durable) {
-        welcome(now, *session_of(entering.asker.session), *player, entering.token);
+        welcome(now, *session_of(entering.asker.session), *player, entering);
         return;
     }
     if (is_here) {
@@ -116,12 +116,12 @@ void Lobby::World::settle(base::Instant now, const Entering& entering, bool dura
 }
 
 void Lobby::World::welcome(base::Instant now, Session& session, Player& player,
-                           const protocol::ResumeToken& token) {
+                           const Entering& entering) {
     Table* table = player.table ? table_of(*player.table) : nullptr;
     if (table != nullptr && !table->has_place_for(player.stored.player)) table = nullptr;
     if (table == nullptr) player.table.reset();
     tell(session.id, protocol::server::Welcome{.name = player.stored.name,
-                                               .token = token,
+                                               .token = entering.token,
                                                .server_time_us = wire_time(now),
                                                .table = player.table});
     session.phase = Phase::Lobby;
@@ -129,7 +129,8 @@ void Lobby::World::welcome(base::Instant now, Session& session, Player& player,
     session.table = player.table;
     session.phase =
         table->seating().is_seated(player.stored.player) ? Phase::Seated : Phase::Watching;
-    table->come_back(now, {session.id, player.stored.player, player.stored.name});
+    table->come_back(now, {session.id, player.stored.player, player.stored.name},
+                     entering.followed);
     refresh_deadline(*session.table);
 }
 

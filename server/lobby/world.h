@@ -27,9 +27,10 @@ struct Heard {
 
 /// A player whose row is on its way to the disk.
 struct Entering {
-    Asker asker;
-    PlayerId player;
+    Asker asker{};
+    PlayerId player{};
     protocol::ResumeToken token{};
+    std::optional<protocol::client::Followed> followed{};
     bool is_new = false;
 };
 
@@ -62,11 +63,11 @@ struct Lobby::World {
     // greeting.cpp: who a session is
     void on(const Heard& heard, const protocol::client::Hello& hello);
     void enrol(const Heard& heard, const std::string& name);
-    void resume(const Heard& heard, const protocol::ResumeToken& used);
-    void enter(const Heard& heard, Player& player, const protocol::ResumeToken& token, bool is_new);
+    void resume(const Heard& heard, const protocol::ResumeToken& used,
+                const std::optional<protocol::client::Followed>& followed);
+    void enter(const Heard& heard, Player& player, Entering entering);
     void settle(base::Instant now, const Entering& entering, bool durable);
-    void welcome(base::Instant now, Session& session, Player& player,
-                 const protocol::ResumeToken& token);
+    void welcome(base::Instant now, Session& session, Player& player, const Entering& entering);
     void confirm_token(Session& session);
 
     // play.cpp: what a player asks of the match

@@ -18,7 +18,8 @@ struct LobbyLimits {
     int lobby_requests_per_10s = 30;  ///< A session's lists, openings, joins and leaves together.
     int chat_per_10s = 8;             ///< A session.
     int table_chat_per_10s = 100;     ///< All sessions at one table together.
-    int placements_per_10s = 20;      ///< Cue balls set down at one table.
+    int placements_per_10s = 20;      ///< Balls set down at one table.
+    int practice_shots_per_s = 5;     ///< At one table; a match of two waits for its balls.
     int aim_per_s_to_players = 10;
     int aim_per_s_to_spectators = 4;
     int illegal_messages = 20;  ///< Refused for their phase or form, before the session is closed.
@@ -34,6 +35,13 @@ struct LobbyLimits {
     /// A shot with a longer record is refused as unsolvable: it would not fit into a frame.
     std::size_t record_bytes = protocol::kMaxRecordBytes;
 
+    /// A table's newest events, for those who lost their link: both limits hold.
+    std::size_t kept_events = 256;
+    std::size_t kept_event_bytes = 256 * 1024;
+
+    /// How long a player may be away in one match while the opponent is there, who may then claim
+    /// it; and how long an absent player keeps the seat between two matches.
+    base::Duration absence_grace = std::chrono::seconds(60);
     /// How long a table stands at which no player is connected; a match on it ends with it.
     base::Duration empty_table_kept = std::chrono::minutes(10);
     /// A shot that is on its way when the clock reaches zero still counts.

@@ -54,6 +54,7 @@ class Seating {
     void lose(SessionId session);
     /// Gives up seats or stand.
     void leave(SessionId session);
+    void vacate(model::Seat seat) { holders_[seat].reset(); }
     /// False where the session's seats were ready already.
     bool set_ready(SessionId session);
     void clear_ready();

@@ -1,10 +1,12 @@
-// Takes who comes, goes and waits at one table; keeps the seats, the stand and the clock.
+// Takes who comes to one table, goes, is away and is ready; keeps the seats and the stand.
 #include "server/table/table.h"
 
 #include "common/base/check.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstring>
+#include <span>
 #include <utility>
 
 namespace billiards::server {
@@ -19,10 +21,12 @@ namespace {
 /// Aims are spread out; two in a row make up for a client's jitter.
 constexpr int kAimBurst = 2;
 
-bool is_finite(const model::Shot& shot) {
-    return std::isfinite(shot.angle_rad) && std::isfinite(shot.power) &&
-           std::isfinite(shot.tip_left) && std::isfinite(shot.tip_up) &&
-           std::isfinite(shot.elevation_rad);
+std::uint64_t new_stream(const RandomBytes& random) {
+    std::array<std::uint8_t, sizeof(std::uint64_t)> bytes{};
+    random(bytes);
+    std::uint64_t stream = 0;
+    std::memcpy(&stream, bytes.data(), sizeof stream);
+    return stream;
 }
 
 }  // namespace
@@ -34,15 +38,20 @@ Table::Table(protocol::TableId id, std::string name, const match::Settings& sett
       settings_(settings),
       access_(std::move(access)),
       around_(around),
+      absence_(around.limits.absence_grace),
+      stream_(new_stream(around.random)),
+      log_({.events = around.limits.kept_events, .bytes = around.limits.kept_event_bytes}),
       deserted_since_(now),
       aim_to_players_(around.limits.aim_per_s_to_players, std::chrono::seconds(1), kAimBurst),
       aim_to_spectators_(around.limits.aim_per_s_to_spectators, std::chrono::seconds(1), kAimBurst),
       placements_(around.limits.placements_per_10s, std::chrono::seconds(10)),
+      practice_shots_(around.limits.practice_shots_per_s, std::chrono::seconds(1)),
       chat_(around.limits.table_chat_per_10s, std::chrono::seconds(10)) {}
 
 base::Result<base::Done, RefusedCode> Table::join(base::Instant now, const Visitor& visitor,
                                                   Role role) {
     if (const auto full = take_places(visitor, role)) return *full;
+    save();
     if (role == Role::Spectator) {
         spectators_changed(now);
     } else {
@@ -53,7 +62,7 @@ base::Result<base::Done, RefusedCode> Table::join(base::Instant now, const Visit
 }
 
 std::optional<RefusedCode> Table::take_places(const Visitor& visitor, Role role) {
-    const bool or_away = may_take_seat_of_absent();
+    const bool or_away = is_between_matches();  // A match keeps the seat of who is away.
     switch (role) {
         case Role::Player: {
             const auto seat = seating_.free_seat(or_away);
@@ -74,8 +83,7 @@ std::optional<RefusedCode> Table::take_places(const Visitor& visitor, Role role)
     return std::nullopt;
 }
 
-/// A player who is away keeps the seat for the match; before and after it, it is for whoever comes.
-bool Table::may_take_seat_of_absent() const {
+bool Table::is_between_matches() const {
     return !is_playing() && !std::holds_alternative<Start>(pending_);
 }
 
@@ -88,7 +96,8 @@ bool Table::has_room_to_watch() const {
            static_cast<std::size_t>(around_.limits.max_spectators_per_table);
 }
 
-void Table::come_back(base::Instant now, const Visitor& visitor) {
+void Table::come_back(base::Instant now, const Visitor& visitor,
+                      const std::optional<protocol::client::Followed>& followed) {
     if (seating_.is_seated(visitor.player)) {
         seating_.come_back(visitor);
         seats_changed(now, visitor.session);
@@ -97,12 +106,16 @@ void Table::come_back(base::Instant now, const Visitor& visitor) {
         seating_.watch(visitor.session);
         spectators_changed(now);
     }
-    send_snapshot(now, visitor.session);
+    catch_up(now, visitor.session, followed);
+}
+
+void Table::refresh(base::Instant now, SessionId session) {
+    send_snapshot(now, session);
 }
 
 base::Result<base::Done, RefusedCode> Table::leave(base::Instant now, SessionId session) {
     const bool seated = !seating_.seats_of(session).empty();
-    if (seated && !may_take_seat_of_absent()) return RefusedCode::MatchRunning;
+    if (seated && !is_between_matches()) return RefusedCode::MatchRunning;
     seating_.leave(session);
     if (seated) {
         seats_changed(now);
@@ -126,9 +139,25 @@ void Table::seats_changed(base::Instant now, std::optional<SessionId> except) {
     const bool anyone = seating_.is_anyone_connected();
     if (anyone) deserted_since_.reset();
     if (!anyone && !deserted_since_) deserted_since_ = now;
-    announce_seats(except);
-    if (clock_.set_running(now, anyone)) announce_turn(except);
+    count_absence(now);
+    save();
+    announce_seats(now, except);
+    if (clock_.set_running(now, anyone)) announce_turn(now, except);
     open_turn_if_all_have_seen(now);
+}
+
+/// In a match it counts against a player that the opponent waits; what is spent stays spent until
+/// the match is over. Otherwise each absence has the whole grace.
+void Table::count_absence(base::Instant now) {
+    for (const Seat seat : kSeats) {
+        const bool is_away = seating_[seat] && !seating_.is_connected(seat);
+        if (is_between_matches()) {
+            if (!is_away) absence_.give_back(now, seat);
+            absence_.count(now, seat, is_away);
+        } else {
+            absence_.count(now, seat, is_away && seating_.is_connected(opponent_of(seat)));
+        }
+    }
 }
 
 /// Many come at once, and each would be told of each: they are counted together.
@@ -149,80 +178,29 @@ void Table::ready(base::Instant now, const Asker& asker) {
 }
 
 void Table::rematch(base::Instant now, const Asker& asker) {
-    ready(now, asker);
-}
-
-void Table::claim(base::Instant /*now*/, const Asker& asker) {
-    refuse(around_, asker, RefusedCode::NotAllowed, "the opponent is here");
-}
-
-void Table::aim(base::Instant now, SessionId session, const protocol::client::Aim& aim) {
-    if (!is_playing() || !clock_.is_open() || aim.turn != match_->state.turn) return;
-    const Seat seat = match_->state.to_act;
-    if (seating_.session_of(seat) != session || !is_finite(aim.shot)) return;
-    const bool to_players = aim_to_players_.allows(now);
-    const bool to_spectators = aim_to_spectators_.allows(now);
-    if (!to_players && !to_spectators) return;
-    const auto frame = protocol::encode(
-        protocol::server::AimShown{.seat = seat, .turn = aim.turn, .shot = aim.shot});
-    const auto show = [&](SessionId to) {
-        if (to != session) around_.outbox.deliver(to, frame, Delivery::LatestWins);
-    };
-    if (to_players) seating_.for_each_player(show);
-    if (to_spectators) seating_.for_each_spectator(show);
-}
-
-void Table::seen(base::Instant now, SessionId session, std::uint64_t sequence) {
-    if (!rolling_ || rolling_->played.sequence != sequence) return;
-    for (const Seat seat : seating_.seats_of(session)) rolling_->seen[seat] = true;
-    open_turn_if_all_have_seen(now);
-}
-
-void Table::open_turn_if_all_have_seen(base::Instant now) {
-    if (!rolling_ || !clock_.is_waiting() || !seating_.is_anyone_connected()) return;
-    const bool all = std::all_of(kSeats.begin(), kSeats.end(), [&](Seat seat) {
-        return rolling_->seen[seat] || !seating_.is_connected(seat);
-    });
-    if (all) open_turn(now);
-}
-
-void Table::open_turn(base::Instant now) {
-    rolling_.reset();
-    clock_.open(now);
-    announce_turn();
-}
-
-void Table::say(base::Instant now, const Asker& asker, const std::string& name,
-                const std::string& text) {
-    if (!chat_.allows(now)) {
-        refuse(around_, asker, RefusedCode::TooMany, "chat at this table");
-        return;
-    }
-    broadcast(protocol::server::ChatSaid{.name = name, .text = text});
-}
-
-std::optional<base::Instant> Table::next_deadline() const {
-    std::optional<base::Instant> next = announce_spectators_at_;
-    const auto consider = [&](base::Instant when) { next = next ? std::min(*next, when) : when; };
-    if (is_pending()) return next;
-    if (deserted_since_) consider(*deserted_since_ + around_.limits.empty_table_kept);
-    if (clock_.is_waiting()) consider(clock_.opens());
-    if (const auto out = clock_runs_out()) consider(*out);
-    return next;
-}
-
-void Table::advance(base::Instant now) {
-    if (announce_spectators_at_ && *announce_spectators_at_ <= now) announce_seats();
-    if (is_pending()) return;
-    if (clock_.is_waiting() && clock_.opens() <= now) open_turn(now);
-    if (const auto out = clock_runs_out(); out && *out <= now) {
-        run(now, {.asker = {}, .seats = {}, .what = {match::Timeout{match_->state.turn}}});
+    if (!match_) {
+        refuse(around_, asker, RefusedCode::NotAllowed, "no match has been played here yet");
+    } else if (!is_playing() && !are_players_of_last_match()) {
+        refuse(around_, asker, RefusedCode::NotAllowed, "the opponent of that match has left");
+    } else {
+        ready(now, asker);
     }
 }
 
-std::optional<base::Instant> Table::clock_runs_out() const {
-    if (!clock_.deadline()) return std::nullopt;
-    return *clock_.deadline() + around_.limits.shot_grace;
+bool Table::are_players_of_last_match() const {
+    return match_ && std::all_of(kSeats.begin(), kSeats.end(), [&](Seat seat) {
+               return seating_[seat] && seating_[seat]->player == match_->players[seat];
+           });
+}
+
+base::Result<base::Done, RefusedCode> Table::change_settings(base::Instant now,
+                                                             const match::Settings& settings) {
+    if (!is_between_matches()) return RefusedCode::MatchRunning;
+    settings_ = settings;
+    seating_.clear_ready();
+    save();
+    announce_change(now);
+    return base::Done{};
 }
 
 bool Table::is_abandoned(base::Instant now) const {
@@ -238,13 +216,34 @@ protocol::server::TableRow Table::row() const {
     return {.table = id_,
             .name = name_,
             .settings = settings_,
-            .seats = seating_.views(),
+            .seats = seat_views(),
             .racks_won = match_ ? match_->state.racks_won : model::PerSeat<int>{},
             .playing = is_playing(),
             .spectators = static_cast<std::uint32_t>(seating_.spectators()),
             .is_private = access_.is_private(),
             .has_passcode = access_.has_passcode(),
             .owner = access_.owner().name};
+}
+
+/// Of the next match: the settings are stored with the seed that it does not have yet.
+StoredTable Table::stored() const {
+    StoredTable table{.table = id_,
+                      .name = name_,
+                      .settings = protocol::encode_settings(settings_, 0),
+                      .owner = {}};
+    access_.store_into(table);
+    for (const Seat seat : kSeats) {
+        if (seating_[seat]) table.seats[seat] = seating_[seat]->player;
+    }
+    return table;
+}
+
+std::optional<MatchId> Table::match_id() const {
+    return match_ ? std::optional(match_->id) : std::nullopt;
+}
+
+std::uint64_t Table::steps_shown_to(SessionId /*session*/) const {
+    return match_ ? match_->entries + 1 : 0;
 }
 
 }  // namespace billiards::server

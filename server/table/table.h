@@ -10,7 +10,9 @@
 #include "common/protocol/messages.h"
 #include "server/session/rate_limit.h"
 #include "server/store/match_store.h"
+#include "server/table/absence.h"
 #include "server/table/access.h"
+#include "server/table/event_log.h"
 #include "server/table/outbox.h"
 #include "server/table/refold.h"
 #include "server/table/refuse.h"
@@ -20,6 +22,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -46,14 +49,24 @@ class Table {
                                                          protocol::Role role);
     /// Whether who sat or stood here before still has a place.
     bool has_place_for(PlayerId player) const;
-    /// Takes that place again, under a new connection; answered as join is.
-    void come_back(base::Instant now, const Visitor& visitor);
+    /// Takes that place again, under a new connection. Who had followed the table up to an event
+    /// that is not forgotten yet is told what came after it; anyone else is answered as by join.
+    void come_back(base::Instant now, const Visitor& visitor,
+                   const std::optional<protocol::client::Followed>& followed = std::nullopt);
+    /// A snapshot, for a spectator who has lost what came before.
+    void refresh(base::Instant now, SessionId session);
     /// Refused to players while a match runs.
     base::Result<base::Done, protocol::RefusedCode> leave(base::Instant now, SessionId session);
     void lose(base::Instant now, SessionId session);
-    /// Tells those who are left; the match, if one runs, ends without a result. No step may be on
+    /// Tells those who are left; the match, if one runs, ends without a winner. No step may be on
     /// its way.
     void close();
+    /// What is durable of the table, where that has changed. A seat does not wait for the disk; a
+    /// match does, and is never durable without its table.
+    void save();
+    /// For the next match; whoever was ready is asked again. MatchRunning while one is played.
+    base::Result<base::Done, protocol::RefusedCode> change_settings(
+        base::Instant now, const match::Settings& settings);
 
     /// What a player asks of the match.
     struct Command {
@@ -89,6 +102,11 @@ class Table {
     /// Who may come in. The lobby asks it, and says so to the table where it changed.
     Access& access() { return access_; }
     const Access& access() const { return access_; }
+    StoredTable stored() const;
+    /// The match that is played, or the last one.
+    std::optional<MatchId> match_id() const;
+    /// So many of its steps may be seen by this session, with how it began.
+    std::uint64_t steps_shown_to(SessionId session) const;
 
   private:
     struct LastShot {
@@ -97,12 +115,13 @@ class Table {
     };
     struct Match {
         MatchId id;
+        model::PerSeat<PlayerId> players;
         match::MatchState state;  ///< As last committed.
         std::uint64_t entries = 0;
         model::PerSeat<std::optional<LastShot>> last_shots{};
     };
     struct Rolling {
-        protocol::server::ShotPlayed played;
+        std::shared_ptr<const protocol::server::ShotPlayed> played;
         base::Instant rests{};
         model::PerSeat<bool> seen{};
     };
@@ -122,59 +141,86 @@ class Table {
     };
     using Pending = std::variant<std::monostate, Start, Step>;
 
-    // table.cpp: people and time
+    // table.cpp: people
     bool is_pending() const { return !std::holds_alternative<std::monostate>(pending_); }
-    bool may_take_seat_of_absent() const;
+    /// From when the match is on its way to the disk until it is over.
+    bool is_between_matches() const;
     bool has_room_to_watch() const;
     std::optional<protocol::RefusedCode> take_places(const Visitor& visitor, protocol::Role role);
     void seats_changed(base::Instant now, std::optional<SessionId> except = std::nullopt);
     void spectators_changed(base::Instant now);
+    void count_absence(base::Instant now);
+    bool are_players_of_last_match() const;
+
+    // table_time.cpp: what waits for time
     void open_turn(base::Instant now);
     void open_turn_if_all_have_seen(base::Instant now);
+    void free_seats_of_absent(base::Instant now);
     std::optional<base::Instant> clock_runs_out() const;
 
-    // table_steps.cpp: commands, the journal, and what follows when the disk has answered
+    // table_requests.cpp: what may be asked of the match
+    bool refuse_too_many(base::Instant now, const Asker& asker, const match::Command& command);
+    void enqueue(base::Instant now, Request request);
+    bool refuse_claim(base::Instant now, const Request& request);
     void run(base::Instant now, const Request& request);
     bool answer_repeat(const Request& request);
     bool refuse_early(const Request& request);
     bool refuse_stale(const Request& request);
     model::Seat acting_seat(const Request& request) const;
+
+    // table_steps.cpp: the journal, and what follows when the disk has answered
     std::optional<base::Duration> time_allowed() const;
     void commit(base::Instant now, Step step);
     void start_match(base::Instant now);
+    MatchResult result_of(const match::MatchState& state, protocol::server::Ending ending) const;
     void submit(base::Instant now, Pending pending, std::vector<Write> writes);
+    void submit_and_forget(std::vector<Write> writes);
     void settle(const Committed& committed);
     void happen(base::Instant now, Start start);
     void happen(base::Instant now, Step step, const Committed& committed);
-    void undo_start();
+    void go_on(base::Instant now, const Step& step, model::TurnNumber before);
+    void undo_start(base::Instant now);
     void undo_step(base::Instant now, const Step& step);
 
     // table_frames.cpp: what is told
-    void deliver_to_all(const protocol::SharedFrame& frame,
-                        std::optional<SessionId> except = std::nullopt);
-    void broadcast(const protocol::ServerMessage& message,
-                   std::optional<SessionId> except = std::nullopt);
+    using Message = std::shared_ptr<const protocol::ServerMessage>;
+    template <class Event>
+    Message numbered(Event event);
+    protocol::SharedFrame publish(base::Instant now, const Message& message,
+                                  std::optional<SessionId> except = std::nullopt);
+    void show_spectators(base::Instant now, const Message& message,
+                         const protocol::SharedFrame& frame, Delivery delivery,
+                         std::optional<SessionId> except = std::nullopt);
     void send_snapshot(base::Instant now, SessionId to);
-    void announce_seats(std::optional<SessionId> except = std::nullopt);
-    void announce_turn(std::optional<SessionId> except = std::nullopt);
-    void announce_start();
-    void announce_placement(const Step& step);
+    void catch_up(base::Instant now, SessionId to,
+                  const std::optional<protocol::client::Followed>& followed);
+    void announce_seats(base::Instant now, std::optional<SessionId> except = std::nullopt);
+    void announce_turn(base::Instant now, std::optional<SessionId> except = std::nullopt);
+    void announce_start(base::Instant now);
     void announce_shot(base::Instant struck, Step step, const Committed& committed);
-    void announce_move(Step step);
-    void announce_over(protocol::server::Ending ending);
-    void announce_storage_failed(const std::optional<Asker>& asker);
+    void announce_move(base::Instant now, Step step);
+    void announce_over(base::Instant now, protocol::server::Ending ending);
+    void announce_change(base::Instant now);
+    void announce_closing();
+    void announce_storage_failed(base::Instant now, const std::optional<Asker>& asker);
+    model::PerSeat<protocol::server::SeatView> seat_views() const;
 
     const protocol::TableId id_;
     const std::string name_;
-    const match::Settings settings_;
+    match::Settings settings_;  ///< Of the next match.
     Access access_;
     Surroundings& around_;
 
     Seating seating_;
+    Absence absence_;
     std::optional<Match> match_;  ///< The last one stays until the next starts.
     std::optional<Rolling> rolling_;
     TurnClock clock_;
+
+    std::uint64_t stream_;        ///< Of the sequence numbers; drawn anew with each start.
     std::uint64_t sequence_ = 0;  ///< Of the last event told to everyone here.
+    EventLog log_;
+    std::optional<StoredTable> saved_;  ///< As last sent to the disk.
 
     Pending pending_;
     base::Instant submitted_{};  ///< When what is pending was.
@@ -185,6 +231,7 @@ class Table {
     RateLimit aim_to_players_;
     RateLimit aim_to_spectators_;
     RateLimit placements_;
+    RateLimit practice_shots_;
     RateLimit chat_;
 };
 

@@ -20,18 +20,57 @@ std::uint32_t wire_duration_us(base::Duration duration) {
         std::clamp(duration, base::Duration::zero(), base::Duration(kMost)).count());
 }
 
+/// How a step without a shot is called on the wire; a new command does not compile until it has its
+/// name here. The cue ball set down and shots have messages of their own.
+struct MoveOf {
+    using Move = say::Move;
+
+    Move operator()(const match::PlaceCueBall&) const { CHECK(false); }
+    Move operator()(const match::TakeShot&) const { CHECK(false); }
+    Move operator()(const match::Choose&) const { return Move::Choice; }
+    Move operator()(const match::Timeout&) const { return Move::Timeout; }
+    Move operator()(const match::Concede&) const { return Move::Concession; }
+    Move operator()(const match::Forfeit&) const { return Move::Forfeit; }
+    Move operator()(const match::Extend&) const { return Move::Extension; }
+    Move operator()(const match::Offer&) const { return Move::Offer; }
+    Move operator()(const match::Answer& answer) const {
+        return answer.accept ? Move::Acceptance : Move::Rejection;
+    }
+    Move operator()(const match::ClaimStalemate&) const { return Move::StalemateClaim; }
+    Move operator()(const match::SpotNearest&) const { return Move::Spotting; }
+    Move operator()(const match::PlaceBall&) const { return Move::Placing; }
+    Move operator()(const match::Undo&) const { return Move::Undoing; }
+    Move operator()(const match::Repeat&) const { return Move::Repeating; }
+    Move operator()(const match::Rerack&) const { return Move::Reracking; }
+};
+
 }  // namespace
 
-void Table::deliver_to_all(const protocol::SharedFrame& frame, std::optional<SessionId> except) {
-    const auto deliver = [&](SessionId to) {
-        if (to != except) around_.outbox.deliver(to, frame, Delivery::Ordered);
-    };
-    seating_.for_each_player(deliver);
-    seating_.for_each_spectator(deliver);
+template <class Event>
+Table::Message Table::numbered(Event event) {
+    event.sequence = ++sequence_;
+    return std::make_shared<const protocol::ServerMessage>(std::move(event));
 }
 
-void Table::broadcast(const protocol::ServerMessage& message, std::optional<SessionId> except) {
-    deliver_to_all(protocol::encode(message), except);
+/// The one way of everything that has a number.
+protocol::SharedFrame Table::publish(base::Instant now, const Message& message,
+                                     std::optional<SessionId> except) {
+    const protocol::SharedFrame frame = protocol::encode(*message);
+    log_.append(frame);
+    CHECK(log_.last() == sequence_);
+    seating_.for_each_player([&](SessionId to) {
+        if (to != except) around_.outbox.deliver(to, frame, Delivery::Ordered);
+    });
+    show_spectators(now, message, frame, Delivery::Sheddable, except);
+    return frame;
+}
+
+void Table::show_spectators(base::Instant /*now*/, const Message& /*message*/,
+                            const protocol::SharedFrame& frame, Delivery delivery,
+                            std::optional<SessionId> except) {
+    seating_.for_each_spectator([&](SessionId to) {
+        if (to != except) around_.outbox.deliver(to, frame, delivery);
+    });
 }
 
 void Table::send_snapshot(base::Instant now, SessionId to) {
@@ -41,100 +80,131 @@ void Table::send_snapshot(base::Instant now, SessionId to) {
                                 .match = {},
                                 .rolling = {},
                                 .turn = clock_.view(),
-                                .server_time_us = wire_time(now)};
+                                .server_time_us = wire_time(now),
+                                .stream = stream_};
     if (match_) snapshot.match = match_->state;
-    if (rolling_ && now < rolling_->rests) snapshot.rolling = rolling_->played;
-    around_.outbox.deliver(to, protocol::encode(std::move(snapshot)), Delivery::Ordered);
+    if (rolling_ && now < rolling_->rests) snapshot.rolling = *rolling_->played;
+    const Delivery delivery = snapshot.your_seats.empty() ? Delivery::Fresh : Delivery::Ordered;
+    around_.outbox.deliver(to, protocol::encode(std::move(snapshot)), delivery);
 }
 
-void Table::announce_seats(std::optional<SessionId> except) {
+void Table::catch_up(base::Instant now, SessionId to,
+                     const std::optional<protocol::client::Followed>& followed) {
+    const bool is_ours = followed && followed->table == id_ && followed->stream == stream_;
+    const auto missed = is_ours ? log_.since(followed->sequence) : std::nullopt;
+    if (!missed) return send_snapshot(now, to);
+    const std::vector<model::Seat> seats = seating_.seats_of(to);
+    const Delivery delivery = seats.empty() ? Delivery::Sheddable : Delivery::Ordered;
+    around_.outbox.deliver(
+        to,
+        protocol::encode(
+            say::Resumed{.table = id_, .your_seats = seats, .server_time_us = wire_time(now)}),
+        Delivery::Ordered);
+    for (const protocol::SharedFrame& frame : *missed) around_.outbox.deliver(to, frame, delivery);
+}
+
+void Table::announce_seats(base::Instant now, std::optional<SessionId> except) {
     announce_spectators_at_.reset();
-    broadcast(say::SeatChanged{.sequence = ++sequence_,
-                               .seats = seating_.views(),
-                               .spectators = static_cast<std::uint32_t>(seating_.spectators())},
-              except);
-}
-
-void Table::announce_turn(std::optional<SessionId> except) {
-    broadcast(
-        say::TurnOpened{
-            .sequence = ++sequence_, .number = match_->state.turn, .turn = clock_.view()},
+    publish(
+        now,
+        numbered(say::SeatChanged{.sequence = {},
+                                  .seats = seat_views(),
+                                  .spectators = static_cast<std::uint32_t>(seating_.spectators())}),
         except);
 }
 
-void Table::announce_start() {
-    broadcast(
-        say::MatchStarted{.sequence = ++sequence_, .state = match_->state, .turn = clock_.view()});
+void Table::announce_turn(base::Instant now, std::optional<SessionId> except) {
+    publish(now,
+            numbered(say::TurnOpened{
+                .sequence = {}, .number = match_->state.turn, .turn = clock_.view()}),
+            except);
 }
 
-void Table::announce_placement(const Step& step) {
-    broadcast(say::CueBallPlaced{
-        .sequence = ++sequence_,
-        .seat = step.entry.seat,
-        .position_m = std::get<match::PlaceCueBall>(step.entry.command).position_m});
+void Table::announce_start(base::Instant now) {
+    publish(now, numbered(say::MatchStarted{
+                     .sequence = {}, .state = match_->state, .turn = clock_.view()}));
 }
 
 void Table::announce_shot(base::Instant struck, Step step, const Committed& committed) {
     const auto& command = std::get<match::TakeShot>(step.entry.command);
-    say::ShotPlayed played{.sequence = ++sequence_,
-                           .struck_us = wire_time(struck),
-                           .seat = step.entry.seat,
-                           .shot_id = step.entry.shot_id,
-                           .shot = command.shot,
-                           .call = command.call,
-                           .record = std::move(*step.entry.record),
-                           .verdict = std::move(*step.entry.verdict),
-                           .after = std::move(step.next),
-                           .turn = clock_.view(),
-                           .commit_us = wire_duration_us(committed.took)};
-    const protocol::SharedFrame frame = protocol::encode(played);
-    match_->last_shots[played.seat] = {played.shot_id, frame};
-    rolling_ = Rolling{.played = std::move(played), .rests = clock_.opens()};
-    deliver_to_all(frame);
+    const Message message =
+        numbered(say::ShotPlayed{.sequence = {},
+                                 .struck_us = wire_time(struck),
+                                 .seat = step.entry.seat,
+                                 .shot_id = step.entry.shot_id,
+                                 .shot = command.shot,
+                                 .call = command.call,
+                                 .record = std::move(*step.entry.record),
+                                 .verdict = std::move(*step.entry.verdict),
+                                 .after = std::move(step.next),
+                                 .turn = clock_.view(),
+                                 .commit_us = wire_duration_us(committed.took)});
+    rolling_ =
+        Rolling{.played = {message, &std::get<say::ShotPlayed>(*message)}, .rests = clock_.opens()};
+    match_->last_shots[step.entry.seat] = {step.entry.shot_id, publish(struck, message)};
 }
 
-void Table::announce_move(Step step) {
-    say::MatchMoved moved{.sequence = ++sequence_,
+void Table::announce_move(base::Instant now, Step step) {
+    if (const auto* placed = std::get_if<match::PlaceCueBall>(&step.entry.command)) {
+        publish(now,
+                numbered(say::CueBallPlaced{
+                    .sequence = {}, .seat = step.entry.seat, .position_m = placed->position_m}));
+        return;
+    }
+    say::MatchMoved moved{.sequence = {},
                           .seat = step.entry.seat,
                           .choice = {},
                           .verdict = std::move(step.entry.verdict),
                           .after = std::move(step.next),
-                          .turn = clock_.view()};
+                          .turn = clock_.view(),
+                          .move = std::visit(MoveOf{}, step.entry.command)};
     if (const auto* choose = std::get_if<match::Choose>(&step.entry.command)) {
         moved.choice = choose->choice;
     }
-    broadcast(std::move(moved));
+    publish(now, numbered(std::move(moved)));
 }
 
-void Table::announce_over(protocol::server::Ending ending) {
+void Table::announce_over(base::Instant now, protocol::server::Ending ending) {
     const match::MatchState& state = match_->state;
-    broadcast(say::MatchOver{.sequence = ++sequence_,
-                             .winner = state.winner,
-                             .racks_won = state.racks_won,
-                             .shots = static_cast<std::uint32_t>(state.shots_played),
-                             .ending = ending});
+    publish(now, numbered(say::MatchOver{.sequence = {},
+                                         .winner = state.winner,
+                                         .racks_won = state.racks_won,
+                                         .shots = static_cast<std::uint32_t>(state.shots_played),
+                                         .ending = ending}));
+}
+
+void Table::announce_change(base::Instant now) {
+    publish(now, numbered(say::TableChanged{.sequence = {}, .row = row()}));
 }
 
 /// Everyone is told; who asked learns which request it was.
-void Table::announce_storage_failed(const std::optional<Asker>& asker) {
-    const auto tell = [&](SessionId to) {
+void Table::announce_storage_failed(base::Instant now, const std::optional<Asker>& asker) {
+    static constexpr auto kCode = protocol::RefusedCode::StorageFailed;
+    const std::string detail = "the last step could not be stored, and was undone";
+    seating_.for_each_player([&](SessionId to) {
         const bool asked = asker && asker->session == to;
-        refuse(around_, {to, asked ? asker->request_id : 0}, protocol::RefusedCode::StorageFailed,
-               "the last step could not be stored, and was undone");
-    };
+        refuse(around_, {to, asked ? asker->request_id : 0}, kCode, detail);
+    });
+    const auto message = std::make_shared<const protocol::ServerMessage>(
+        say::Refused{.code = kCode, .match_code = {}, .detail = detail});
+    show_spectators(now, message, protocol::encode(*message), Delivery::Sheddable);
+}
+
+void Table::announce_closing() {
+    const protocol::SharedFrame frame = protocol::encode(say::Notice{
+        .code = say::NoticeCode::TableClosed, .detail = "no player has been here for too long"});
+    const auto tell = [&](SessionId to) { around_.outbox.deliver(to, frame, Delivery::Ordered); };
     seating_.for_each_player(tell);
     seating_.for_each_spectator(tell);
 }
 
-void Table::close() {
-    CHECK(!is_pending());
-    broadcast(say::Notice{.code = say::NoticeCode::TableClosed,
-                          .detail = "no player has been here for too long"});
-    if (!is_playing()) return;
-    around_.committer.submit({FinishMatch{match_->id}},
-                             [&around = around_](const Committed& committed) {
-                                 around.stats.storage_failing = !committed.result.ok();
-                             });
+model::PerSeat<say::SeatView> Table::seat_views() const {
+    auto views = seating_.views();
+    if (is_between_matches()) return views;
+    for (const model::Seat seat : model::kSeats) {
+        if (const auto ends = absence_.ends(seat)) views[seat].claimable_us = wire_time(*ends);
+    }
+    return views;
 }
 
 }  // namespace billiards::server

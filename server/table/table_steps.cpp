@@ -1,4 +1,4 @@
-// Takes commands for one match; gives journal entries to the disk and, when it answers, what they
+// Takes what moves one match on; gives journal entries to the disk and, when it answers, what they
 // led to.
 #include "common/base/check.h"
 #include "common/match/clock.h"
@@ -15,7 +15,7 @@ namespace billiards::server {
 
 using model::kSeats;
 using model::Seat;
-using protocol::RefusedCode;
+using protocol::server::Ending;
 
 namespace {
 
@@ -27,91 +27,17 @@ std::uint64_t new_seed(const RandomBytes& random) {
     return seed;
 }
 
-protocol::JournalEntry entry_of(Seat seat, const match::Command& command, std::uint64_t shot_id,
-                                match::Outcome outcome) {
-    protocol::JournalEntry entry;
-    entry.seat = seat;
-    entry.command = command;
-    entry.shot_id = shot_id;
-    entry.verdict = std::move(outcome.verdict);
-    if (outcome.record) entry.final_layout = outcome.record->final_layout;
-    entry.record = std::move(outcome.record);
-    return entry;
+Ending ending_of(const protocol::JournalEntry& last) {
+    if (std::holds_alternative<match::Concede>(last.command)) return Ending::Conceded;
+    if (std::holds_alternative<match::Forfeit>(last.command)) return Ending::Claimed;
+    return Ending::Played;
+}
+
+void store_answered(Surroundings& around, const Committed& committed) {
+    around.stats.storage_failing = !committed.result.ok();
 }
 
 }  // namespace
-
-void Table::request(base::Instant now, const Asker& asker, Command command) {
-    if (!match_) {
-        refuse(around_, asker, RefusedCode::NotInThisPhase, "no match has been started");
-        return;
-    }
-    // Only whoever is to act spends the table's allowance, which their opponent must not.
-    if (std::holds_alternative<match::PlaceCueBall>(command.command) &&
-        seating_.session_of(match_->state.to_act) == asker.session && !placements_.allows(now)) {
-        refuse(around_, asker, RefusedCode::TooMany, "placements of the cue ball");
-        return;
-    }
-    Request request{.asker = asker, .seats = {}, .what = std::move(command)};
-    for (const Seat seat : seating_.seats_of(asker.session)) request.seats[seat] = true;
-    if (!is_pending()) {
-        run(now, request);
-    } else if (queue_.size() < around_.limits.queued_commands) {
-        queue_.push_back(std::move(request));
-    } else {
-        refuse(around_, asker, RefusedCode::TooMany, "commands waiting for the disk");
-    }
-}
-
-void Table::run(base::Instant now, const Request& request) {
-    if (answer_repeat(request) || refuse_early(request) || refuse_stale(request)) return;
-    const Seat seat = acting_seat(request);
-    auto applied = match::apply(match_->state, seat, request.what.command);
-    if (!applied) {
-        CHECK(request.asker.has_value());  // The clock names the turn and the seat that are.
-        refuse(around_, *request.asker, applied.error());
-        return;
-    }
-    match::Step step = std::move(applied).value();
-    commit(now, {.asker = request.asker,
-                 .entry = entry_of(seat, request.what.command, request.what.shot_id,
-                                   std::move(step.outcome)),
-                 .next = std::move(step.next)});
-}
-
-/// A shot that was played already is shown again to the one who asks, not played again.
-bool Table::answer_repeat(const Request& request) {
-    if (!std::holds_alternative<match::TakeShot>(request.what.command)) return false;
-    for (const Seat seat : kSeats) {
-        const auto& last = match_->last_shots[seat];
-        if (!request.seats[seat] || !last || last->shot_id != request.what.shot_id) continue;
-        around_.outbox.deliver(request.asker->session, last->frame, Delivery::Ordered);
-        return true;
-    }
-    return false;
-}
-
-bool Table::refuse_early(const Request& request) {
-    const bool any_time = std::holds_alternative<match::Concede>(request.what.command);
-    if (any_time || !clock_.is_waiting()) return false;
-    refuse(around_, *request.asker, RefusedCode::TooEarly, "the balls are still rolling");
-    return true;
-}
-
-bool Table::refuse_stale(const Request& request) {
-    if (!request.what.only_turn || *request.what.only_turn == match_->state.turn) return false;
-    refuse(around_, *request.asker,
-           match::Refusal{match::RefusalCode::StaleTurn,
-                          "it is turn " + std::to_string(match_->state.turn.value)});
-    return true;
-}
-
-/// Who holds both seats acts for the one whose turn it is; the clock does so always.
-Seat Table::acting_seat(const Request& request) const {
-    const Seat to_act = match_->state.to_act;
-    if (!request.asker || request.seats[to_act]) return to_act;
-    return opponent_of(to_act);
-}
 
 void Table::commit(base::Instant now, Step step) {
     protocol::EncodedEntry entry = protocol::encode_entry(step.entry);
@@ -125,8 +51,20 @@ void Table::commit(base::Instant now, Step step) {
     std::vector<Write> writes;
     writes.push_back(
         AppendEntry{match_->id, {.sequence = match_->entries + 1, .entry = std::move(entry)}});
-    if (step.next.stage == match::Stage::Over) writes.push_back(FinishMatch{match_->id});
+    if (step.next.stage == match::Stage::Over) {
+        writes.emplace_back(FinishMatch{match_->id, result_of(step.next, ending_of(step.entry))});
+    }
     submit(now, std::move(step), std::move(writes));
+}
+
+MatchResult Table::result_of(const match::MatchState& state, Ending ending) const {
+    return {.ending = ending,
+            .winner = state.winner,
+            .racks_won = state.racks_won,
+            .shots = static_cast<std::uint32_t>(state.shots_played),
+            .game = state.settings.game,
+            .is_private = access_.is_private(),
+            .hidden_for = base::duration_of(state.settings.spectator_delay_s)};
 }
 
 void Table::start_match(base::Instant now) {
@@ -141,8 +79,12 @@ void Table::start_match(base::Instant now) {
                        .settings = protocol::encode_settings(settings_, seed),
                        .engine = std::string(replay::kEngineVersion)};
     for (const Seat seat : kSeats) stored.players[seat] = seating_[seat]->player;
-    submit(now, Start{.match = {.id = id, .state = std::move(state).value()}},
-           {SaveMatch{std::move(stored)}});
+    Start start{.match = {.id = id, .players = stored.players, .state = std::move(state).value()}};
+    saved_ = this->stored();
+    std::vector<Write> writes;
+    writes.emplace_back(SaveTable{*saved_});
+    writes.emplace_back(SaveMatch{std::move(stored)});
+    submit(now, std::move(start), std::move(writes));
 }
 
 void Table::submit(base::Instant now, Pending pending, std::vector<Write> writes) {
@@ -155,10 +97,10 @@ void Table::submit(base::Instant now, Pending pending, std::vector<Write> writes
 void Table::settle(const Committed& committed) {
     const base::Instant now = submitted_ + committed.took;
     const bool durable = committed.result.ok();
-    around_.stats.storage_failing = !durable;
+    store_answered(around_, committed);
     Pending pending = std::exchange(pending_, std::monostate{});
     if (auto* start = std::get_if<Start>(&pending)) {
-        durable ? happen(now, std::move(*start)) : undo_start();
+        durable ? happen(now, std::move(*start)) : undo_start(now);
     } else {
         auto& step = std::get<Step>(pending);
         durable ? happen(now, std::move(step), committed) : undo_step(now, step);
@@ -176,50 +118,92 @@ void Table::happen(base::Instant now, Start start) {
     rolling_.reset();
     clock_.open(now, time_allowed());
     seating_.clear_ready();
-    announce_seats();
-    announce_start();
+    for (const Seat seat : kSeats) absence_.give_back(now, seat);
+    count_absence(now);
+    announce_seats(now);
+    announce_start(now);
 }
 
 void Table::happen(base::Instant now, Step step, const Committed& committed) {
-    match_->state = step.next;
+    const model::TurnNumber before = std::exchange(match_->state, step.next).turn;
+    const Ending ending = ending_of(step.entry);
     ++match_->entries;
-    const match::Command command = step.entry.command;
-    if (std::holds_alternative<match::PlaceCueBall>(command)) {
-        announce_placement(step);  // The turn and its clock go on.
-    } else if (std::holds_alternative<match::TakeShot>(command)) {
+    if (std::holds_alternative<match::TakeShot>(step.entry.command)) {
         ++around_.stats.shots;
         clock_.wait_until(now + base::duration_of(step.entry.record->duration_s), time_allowed());
         announce_shot(now, std::move(step), committed);
     } else {
-        clock_.open(now, time_allowed());
-        announce_move(std::move(step));
+        go_on(now, step, before);
+        announce_move(now, std::move(step));
     }
     if (is_playing()) return;
     clock_.stop();
-    announce_over(std::holds_alternative<match::Concede>(command)
-                      ? protocol::server::Ending::Conceded
-                      : protocol::server::Ending::Played);
+    for (const Seat seat : kSeats) absence_.give_back(now, seat);
+    count_absence(now);
+    announce_over(now, ending);
 }
 
-void Table::undo_start() {
+/// Only what begins a turn opens its clock: whatever else is done in a turn, an offer of the
+/// opponent too, leaves the time that is left.
+void Table::go_on(base::Instant now, const Step& step, model::TurnNumber before) {
+    if (step.next.turn != before) {
+        clock_.open(now, time_allowed());
+    } else if (std::holds_alternative<match::Extend>(step.entry.command)) {
+        clock_.extend(base::duration_of(step.next.settings.extension_s));
+    }
+}
+
+void Table::undo_start(base::Instant now) {
     seating_.clear_ready();
-    announce_storage_failed({});
-    announce_seats();
+    saved_.reset();
+    announce_storage_failed(now, {});
+    announce_seats(now);
 }
 
 /// The state never left the last committed one. The clock is given back: nobody loses a turn to
 /// our disk, and a timeout that failed is not tried again at once.
 void Table::undo_step(base::Instant now, const Step& step) {
-    announce_storage_failed(step.asker);
+    announce_storage_failed(now, step.asker);
     if (!clock_.is_open()) return;
     clock_.open(now, time_allowed());
-    announce_turn();
+    announce_turn(now);
+}
+
+void Table::save() {
+    StoredTable table = stored();
+    if (table == saved_) return;
+    saved_ = table;
+    std::vector<Write> writes;
+    writes.emplace_back(SaveTable{std::move(table)});
+    submit_and_forget(std::move(writes));
+}
+
+void Table::close() {
+    CHECK(!is_pending());
+    announce_closing();
+    std::vector<Write> writes;
+    if (is_playing()) {
+        writes.emplace_back(FinishMatch{match_->id, result_of(match_->state, Ending::Abandoned)});
+    }
+    writes.emplace_back(RemoveTable{id_});
+    submit_and_forget(std::move(writes));
+}
+
+/// The table may be gone when the answer comes.
+void Table::submit_and_forget(std::vector<Write> writes) {
+    around_.committer.submit(std::move(writes), [&around = around_](const Committed& committed) {
+        store_answered(around, committed);
+    });
 }
 
 void Table::restore(base::Instant now, const StoredMatch& stored, const Refolded& refolded,
                     const model::PerSeat<std::string>& names) {
-    match_ = Match{.id = stored.match, .state = refolded.state, .entries = refolded.entries};
+    match_ = Match{.id = stored.match,
+                   .players = stored.players,
+                   .state = refolded.state,
+                   .entries = refolded.entries};
     sequence_ = refolded.entries;  // Above that of every shot which may be shown again.
+    log_.skip_to(sequence_);
     clock_.open(now, time_allowed());
     for (const Seat seat : kSeats) {
         seating_.reserve(seat, stored.players[seat], names[seat]);
@@ -229,6 +213,7 @@ void Table::restore(base::Instant now, const StoredMatch& stored, const Refolded
         played.turn = clock_.view();
         match_->last_shots[seat] = {played.shot_id, protocol::encode(played)};
     }
+    saved_ = this->stored();
 }
 
 std::optional<base::Duration> Table::time_allowed() const {

@@ -27,6 +27,12 @@ void TurnClock::open(base::Instant now, std::optional<base::Duration> allowed) {
     if (running_ && left_) deadline_ = now + *left_;
 }
 
+void TurnClock::extend(base::Duration by) {
+    CHECK(is_open() && left_.has_value());
+    *left_ += by;
+    if (deadline_) *deadline_ += by;
+}
+
 void TurnClock::stop() {
     stage_ = Stage::None;
     left_.reset();

@@ -18,6 +18,8 @@ class TurnClock {
     void open(base::Instant now);
     /// An open turn with its time given back in full.
     void open(base::Instant now, std::optional<base::Duration> allowed);
+    /// The open turn may last so much longer.
+    void extend(base::Duration by);
     /// No turn: before and after a match.
     void stop();
     /// Somebody is there to play, or nobody. True where that changed an open turn's deadline.

@@ -17,6 +17,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace billiards::server {
@@ -26,6 +27,16 @@ namespace told = protocol::server;
 using namespace std::chrono_literals;
 using protocol::RefusedCode;
 using protocol::Role;
+
+/// Of what has one: everything that a table tells all who are there, but chat and aims.
+inline std::optional<std::uint64_t> sequence_of(const protocol::ServerMessage& message) {
+    return std::visit(
+        []<class Body>(const Body& body) -> std::optional<std::uint64_t> {
+            if constexpr (requires { body.sequence; }) return body.sequence;
+            return std::nullopt;
+        },
+        message);
+}
 
 class GameTest : public testing::Test {
   protected:

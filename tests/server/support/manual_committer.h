@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 #include <iterator>
 #include <map>
+#include <optional>
+#include <set>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -48,18 +50,24 @@ class ManualCommitter final : public Committer {
     /// What a server that starts now would find.
     StoredWorld durable() const {
         StoredWorld world;
+        world.highest.table = highest_table_;
         for (const auto& [id, player] : players_) {
             world.players.push_back(player);
             world.highest.player = std::max(world.highest.player, id.value);
         }
         for (const auto& [id, match] : matches_) {
             world.highest.match = std::max(world.highest.match, id.value);
-            world.highest.table = std::max(world.highest.table, match.stored.table.value);
-            if (!match.finished) world.matches.push_back({match.stored, match.entries});
+            if (!match.result) world.matches.push_back({match.stored, match.entries});
         }
         return world;
     }
     std::vector<StoredEntry> journal(MatchId match) const { return matches_.at(match).entries; }
+    std::optional<StoredTable> table(protocol::TableId id) const {
+        const auto found = tables_.find(id);
+        return found == tables_.end() ? std::nullopt : std::optional(found->second);
+    }
+    /// How a match ended; none while it is live.
+    std::optional<MatchResult> result(MatchId match) const { return matches_.at(match).result; }
 
   private:
     struct Submission {
@@ -69,7 +77,7 @@ class ManualCommitter final : public Committer {
     struct Match {
         StoredMatch stored;
         std::vector<StoredEntry> entries;
-        bool finished = false;
+        std::optional<MatchResult> result{};
     };
 
     Submission take() {
@@ -79,21 +87,34 @@ class ManualCommitter final : public Committer {
         return submission;
     }
     void keep(const SavePlayer& write) { players_[write.player.player] = write.player; }
-    void keep(const SaveMatch& write) { matches_[write.match.match].stored = write.match; }
+    void keep(const SaveMatch& write) {
+        EXPECT_TRUE(tables_.contains(write.match.table)) << "a match without its table";
+        matches_[write.match.match].stored = write.match;
+    }
     void keep(const AppendEntry& write) {
         Match& match = matches_.at(write.match);
         EXPECT_EQ(write.entry.sequence, match.entries.size() + 1);
-        EXPECT_FALSE(match.finished);
+        EXPECT_FALSE(match.result.has_value());
         match.entries.push_back(write.entry);
     }
-    void keep(const FinishMatch& write) { matches_.at(write.match).finished = true; }
-    void keep(const SaveTable& write) { tables_[write.table.table] = write.table; }
-    void keep(const RemoveTable& write) { tables_.erase(write.table); }
+    void keep(const FinishMatch& write) { matches_.at(write.match).result = write.result; }
+    void keep(const SaveTable& write) {
+        const protocol::TableId id = write.table.table;
+        EXPECT_FALSE(removed_.contains(id)) << "a number given twice";
+        highest_table_ = std::max(highest_table_, id.value);
+        tables_[id] = write.table;
+    }
+    void keep(const RemoveTable& write) {
+        tables_.erase(write.table);
+        removed_.insert(write.table);
+    }
 
     std::deque<Submission> waiting_;
     std::map<PlayerId, StoredPlayer> players_;
     std::map<MatchId, Match> matches_;
     std::map<protocol::TableId, StoredTable> tables_;
+    std::set<protocol::TableId> removed_;
+    std::uint32_t highest_table_ = 0;
 };
 
 }  // namespace billiards::server
