@@ -41,6 +41,10 @@ void GameLoop::malformed(SessionId session, std::string detail) {
     });
 }
 
+void GameLoop::fell_behind(SessionId session) {
+    run([session](Lobby& lobby, base::Instant time) { lobby.fell_behind(time, session); });
+}
+
 void GameLoop::disconnected(SessionId session) {
     run([session](Lobby& lobby, base::Instant time) { lobby.disconnected(time, session); });
 }

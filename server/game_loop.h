@@ -29,6 +29,7 @@ class GameLoop final : public ConnectionEvents {
     void connected(SessionId session) override;
     void received(SessionId session, protocol::ClientMessage message) override;
     void malformed(SessionId session, std::string detail) override;
+    void fell_behind(SessionId session) override;
     void disconnected(SessionId session) override;
 
     base::Instant now() const;

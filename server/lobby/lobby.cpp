@@ -43,6 +43,13 @@ void Lobby::malformed(base::Instant now, SessionId session, const std::string& d
     world_->refuse_illegal(now, *known, 0, protocol::RefusedCode::Malformed, detail);
 }
 
+/// Whoever has left the table meanwhile is up to date: elsewhere nothing is shed.
+void Lobby::fell_behind(base::Instant now, SessionId session) {
+    const Session* known = world_->session_of(session);
+    if (known == nullptr || !known->table) return;
+    world_->table_of(*known->table)->refresh(now, session);
+}
+
 void Lobby::disconnected(base::Instant now, SessionId session) {
     if (Session* known = world_->session_of(session)) world_->forget(now, *known);
 }

@@ -45,6 +45,8 @@ class Lobby {
     void received(base::Instant now, SessionId session, const protocol::ClientMessage& message);
     /// Bytes that were no message: answered, counted, and in the end disconnected.
     void malformed(base::Instant now, SessionId session, const std::string& detail);
+    /// The network dropped what a spectator was told: it is shown its table as it is now.
+    void fell_behind(base::Instant now, SessionId session);
     void disconnected(base::Instant now, SessionId session);
 
     /// When advance_time should next be called; none: nothing waits for time.

@@ -1,15 +1,33 @@
 // Takes what the game sends within one call; gives it to the network in one piece.
 #include "server/net/batched_outbox.h"
 
+#include "common/base/check.h"
+
 #include <asio/post.hpp>
 #include <utility>
 
 namespace billiards::server {
+namespace {
+
+Outgoing::Kind kind_of(Delivery delivery) {
+    switch (delivery) {
+        case Delivery::Ordered:
+            return Outgoing::Kind::Ordered;
+        case Delivery::LatestWins:
+            return Outgoing::Kind::LatestWins;
+        case Delivery::Sheddable:
+            return Outgoing::Kind::Sheddable;
+        case Delivery::Fresh:
+            return Outgoing::Kind::Fresh;
+    }
+    CHECK(false);
+    return Outgoing::Kind::Ordered;
+}
+
+}  // namespace
 
 void BatchedOutbox::deliver(SessionId to, const protocol::SharedFrame& frame, Delivery delivery) {
-    const bool latest_wins = delivery == Delivery::LatestWins;
-    batch_.push_back(
-        {to, latest_wins ? Outgoing::Kind::LatestWins : Outgoing::Kind::Ordered, frame});
+    batch_.push_back({to, kind_of(delivery), frame});
 }
 
 void BatchedOutbox::close(SessionId session) {

@@ -6,8 +6,10 @@
 #include <asio/read.hpp>
 #include <asio/write.hpp>
 #include <fmt/format.h>
+#include <linux/sockios.h>
 #include <span>
 #include <string_view>
+#include <sys/ioctl.h>
 #include <utility>
 
 namespace billiards::server {
@@ -23,7 +25,7 @@ Connection::Connection(Socket socket, SessionId session, ConnectionShare& share)
     : socket_(std::move(socket)),
       session_(session),
       share_(share),
-      queue_(share.limits.queued_bytes),
+      queue_(share.limits.queued_bytes, share.limits.sheddable_bytes),
       messages_allowed_(share.limits.messages_per_tick) {}
 
 void Connection::start() {
@@ -125,7 +127,21 @@ void Connection::handled() {
 void Connection::tick(Clock::time_point now) {
     messages_allowed_ = share_.limits.messages_per_tick;
     if (now >= deadline_) return time_out();
+    if (writing_ && !is_over() && takes_nothing(now)) {
+        ++share_.stats.stalled;
+        return end();
+    }
     if (!reading_ && !is_over()) read_next();
+}
+
+/// While one write is under way nothing is added to the system's buffer once that is full: where it
+/// does not shrink, the receiver takes nothing.
+bool Connection::takes_nothing(Clock::time_point now) {
+    int unsent_bytes = 0;
+    if (::ioctl(socket_.native_handle(), SIOCOUTQ, &unsent_bytes) != 0) return false;
+    const bool moves = std::exchange(unsent_bytes_, unsent_bytes) != unsent_bytes;
+    if (moves || stalls_at_ == kNever) stalls_at_ = now + share_.limits.stalled_timeout;
+    return now >= stalls_at_;
 }
 
 void Connection::time_out() {
@@ -141,11 +157,20 @@ void Connection::time_out() {
 
 void Connection::deliver(const protocol::SharedFrame& frame, Delivery delivery) {
     if (is_over()) return;
-    if (!queue_.push(frame, delivery)) {
+    const std::size_t before = queue_.bytes();
+    const WriteQueue::Pushed pushed = queue_.push(frame, delivery);
+    count_queued(before);
+    share_.stats.shed += pushed.shed;
+    if (!pushed.fits) {
         ++share_.stats.too_slow;
         return end();
     }
-    if (!writing_) write();
+    if (!writing_ && !queue_.nothing_waits()) write();
+}
+
+void Connection::count_queued(std::size_t before) {
+    share_.stats.queued_bytes += queue_.bytes();
+    share_.stats.queued_bytes -= before;
 }
 
 void Connection::write() {
@@ -165,8 +190,15 @@ void Connection::write() {
 void Connection::on_written(std::size_t frames, std::size_t bytes) {
     share_.stats.frames_out += frames;
     share_.stats.bytes_out += bytes;
+    const std::size_t before = queue_.bytes();
     queue_.written();
     if (stage_ == Stage::Closed) return;
+    count_queued(before);
+    stalls_at_ = kNever;
+    if (!is_over() && queue_.tell_fell_behind()) {
+        ++share_.stats.fell_behind;
+        share_.events.fell_behind(session_);
+    }
     if (!queue_.nothing_waits()) return write();
     if (stage_ == Stage::Closing) end_if_all_is_sent();
 }
@@ -219,6 +251,7 @@ void Connection::end() {
     if (stage_ == Stage::Closed) return;
     tell_disconnected();
     stage_ = Stage::Closed;
+    share_.stats.queued_bytes -= queue_.bytes();
     asio::error_code ignored;
     socket_.close(ignored);
     share_.ended(session_);

@@ -75,6 +75,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
     void write();
     void on_written(std::size_t frames, std::size_t bytes);
+    void count_queued(std::size_t before);
+    bool takes_nothing(Clock::time_point now);
     void end_if_all_is_sent();
 
     void refuse(protocol::RefusedCode code, std::string detail);
@@ -90,6 +92,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
     std::array<std::byte, protocol::kPreambleBytes> start_{};  ///< A preamble or a header.
     std::vector<std::byte> frame_;                             ///< Empty but while one arrives.
     WriteQueue queue_;
+    Clock::time_point stalls_at_ = kNever;  ///< While a write is under way.
+    int unsent_bytes_ = 0;                  ///< In the system's buffer, as of the last tick.
     int messages_in_flight_ = 0;
     int messages_allowed_;
     Stage stage_ = Stage::Preamble;

@@ -20,6 +20,9 @@ class ConnectionEvents {
     virtual void received(SessionId session, protocol::ClientMessage message) = 0;
     /// A whole frame that holds no message; the session goes on.
     virtual void malformed(SessionId session, std::string detail) = 0;
+    /// A spectator lost frames that could be shed, and everything written before is out: what
+    /// brings it up to date is a frame delivered as Fresh. Once for each time that it falls behind.
+    virtual void fell_behind(SessionId session) = 0;
     /// The last call about the session, also where the game asked for its end.
     virtual void disconnected(SessionId session) = 0;
 };

@@ -24,6 +24,11 @@ struct NetLimits {
     Milliseconds pause_when_out_of_sockets = std::chrono::seconds(1);
 
     std::size_t queued_bytes = 4 * 1024 * 1024;  ///< A receiver; beyond it the connection is cut.
+    /// For a spectator; beyond it what can be shed is, until it has caught up. One frame may be
+    /// more.
+    std::size_t sheddable_bytes = 256 * 1024;
+    /// A receiver that takes not a byte of what it is sent for so long is cut.
+    Milliseconds stalled_timeout = std::chrono::seconds(60);
     /// Said by one connection and not yet dealt with; beyond it nothing more is read from it.
     int messages_in_flight = 32;
     int messages_per_tick = 100;  ///< Read from one connection; the rest waits for the next tick.

@@ -18,6 +18,10 @@ void carry_out_one(const Outgoing& outgoing, Connection& connection) {
             return connection.deliver(outgoing.frame, Delivery::Ordered);
         case Outgoing::Kind::LatestWins:
             return connection.deliver(outgoing.frame, Delivery::LatestWins);
+        case Outgoing::Kind::Sheddable:
+            return connection.deliver(outgoing.frame, Delivery::Sheddable);
+        case Outgoing::Kind::Fresh:
+            return connection.deliver(outgoing.frame, Delivery::Fresh);
         case Outgoing::Kind::Close:
             return connection.close();
         case Outgoing::Kind::Handled:

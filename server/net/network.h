@@ -19,12 +19,14 @@ struct Outgoing {
     enum class Kind : std::uint8_t {
         Ordered,
         LatestWins,
+        Sheddable,
+        Fresh,
         Close,    ///< Once everything before it is sent.
         Handled,  ///< A message of the session has been dealt with.
     };
     SessionId session;
     Kind kind = Kind::Ordered;
-    protocol::SharedFrame frame;  ///< Of the first two kinds.
+    protocol::SharedFrame frame;  ///< Of the first four kinds.
 };
 
 /// Lives on the thread that runs the io_context; made and told to listen before that runs.

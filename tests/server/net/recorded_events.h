@@ -15,7 +15,7 @@
 namespace billiards::server {
 
 struct RecordedEvent {
-    enum class Kind { Connected, Received, Malformed, Disconnected };
+    enum class Kind { Connected, Received, Malformed, FellBehind, Disconnected };
     Kind kind = Kind::Connected;
     SessionId session;
     std::optional<protocol::ClientMessage> message;
@@ -33,6 +33,7 @@ class RecordedEvents final : public ConnectionEvents {
     void malformed(SessionId session, std::string) override {
         record({Kind::Malformed, session, {}});
     }
+    void fell_behind(SessionId session) override { record({Kind::FellBehind, session, {}}); }
     void disconnected(SessionId session) override { record({Kind::Disconnected, session, {}}); }
 
     /// The count-th event of this kind, or none where it does not come in time.

@@ -17,6 +17,10 @@ TEST(Metrics, NamesWhatTheNetworkCounts) {
     net.frames_in = 7;
     net.bytes_out = 11;
     net.too_slow = 13;
+    net.fell_behind = 17;
+    net.shed = 18;
+    net.stalled = 19;
+    net.queued_bytes = 20;
     const std::string text = metrics_text(net, {}, CommitMetrics());
     EXPECT_THAT(text, HasSubstr("\nbilliards_connections 3\n"));
     EXPECT_THAT(text, HasSubstr("# TYPE billiards_connections gauge\n"));
@@ -25,6 +29,10 @@ TEST(Metrics, NamesWhatTheNetworkCounts) {
     EXPECT_THAT(text, HasSubstr("\nbilliards_frames_received_total 7\n"));
     EXPECT_THAT(text, HasSubstr("\nbilliards_bytes_sent_total 11\n"));
     EXPECT_THAT(text, HasSubstr("\nbilliards_connections_too_slow_total 13\n"));
+    EXPECT_THAT(text, HasSubstr("\nbilliards_fell_behind_total 17\n"));
+    EXPECT_THAT(text, HasSubstr("\nbilliards_frames_shed_total 18\n"));
+    EXPECT_THAT(text, HasSubstr("\nbilliards_connections_stalled_total 19\n"));
+    EXPECT_THAT(text, HasSubstr("\nbilliards_queued_bytes 20\n"));
 }
 
 TEST(Metrics, NamesWhatTheGameCounts) {
