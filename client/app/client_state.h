@@ -3,6 +3,7 @@
 
 #include "common/base/time.h"
 #include "common/match/match_state.h"
+#include "common/protocol/limits.h"
 #include "common/protocol/messages.h"
 
 #include <cstdint>
@@ -48,7 +49,11 @@ struct ClientState {
     std::optional<protocol::ResumeToken> token;
     std::vector<protocol::server::TableRow> tables;
     std::optional<TableView> table;
-    std::vector<ChatLine> chat;  ///< The newest kChatKept lines.
+    /// The link was lost, and nothing has said yet that the table is as it was, or how it is now.
+    bool is_table_stale = false;
+    std::vector<ChatLine> chat;  ///< The newest kChatKept lines, of those who are not muted.
+    /// As shown; the newest kMutedKept. They stay muted over every link, at every table.
+    std::vector<std::string> muted;
     std::optional<protocol::server::Refused> last_refusal;
     std::optional<protocol::server::Notice> last_notice;
     std::optional<protocol::server::InviteMade> last_invite;
@@ -63,9 +68,22 @@ struct ClientState {
 };
 
 inline constexpr std::size_t kChatKept = 200;
+inline constexpr std::size_t kMutedKept = 200;
 inline constexpr std::size_t kClockSamplesKept = 8;
+/// Rows of the list; what changes beyond them is not shown.
+inline constexpr std::size_t kTablesKept = protocol::kMaxTableRows;
 
-/// The seat among mine that is to act now, if the match waits for me. Whether the turn is open yet
+/// The link is gone; everything that was known stays, as what it was.
+ClientState with_link_lost(ClientState state);
+
+/// Without a line of theirs, from now on and of before. Nobody is called "".
+ClientState with_muted(ClientState state, const std::string& name);
+/// What was said meanwhile does not come back.
+ClientState with_unmuted(ClientState state, const std::string& name);
+bool is_muted(const ClientState& state, const std::string& name);
+
+/// The seat among mine that is to act now, if the match waits for me and the table is not stale.
+/// Whether the turn is open yet
 /// is for local_time_of(turn.opens_us) to say.
 std::optional<model::Seat> my_turn(const ClientState& state);
 

@@ -20,6 +20,7 @@ class Reduction {
         state_.name = message.name;
         state_.token = message.token;
         if (!message.table) state_.table.reset();
+        state_.is_table_stale = state_.table.has_value();
         state_.clock_samples.clear();  // It may be another server's clock since a restart.
         state_.clock_offset.reset();
         guess_clock(message.server_time_us);
@@ -27,7 +28,11 @@ class Reduction {
 
     void on(const server::Refused& message) { state_.last_refusal = message; }
 
-    void on(const server::TableList& message) { state_.tables = message.tables; }
+    /// Nobody at a table asks for the list: it is what the lobby shows to whoever comes back to it.
+    void on(const server::TableList& message) {
+        state_.tables = message.tables;
+        leave_table();
+    }
 
     void on(const server::TableSnapshot& message) {
         TableView view{.row = message.row,
@@ -40,7 +45,9 @@ class Reduction {
                        .aim = std::nullopt,
                        .over = std::nullopt};
         if (!view.last_shot) keep_last_shot(view);
+        if (view.match && view.match->stage == match::Stage::Over) view.over = end_of(view);
         state_.table = std::move(view);
+        state_.is_table_stale = false;
         guess_clock(message.server_time_us);
     }
 
@@ -106,13 +113,16 @@ class Reduction {
     }
 
     void on(const server::ChatSaid& message) {
+        if (is_muted(state_, message.name)) return;
         if (state_.chat.size() >= kChatKept) state_.chat.erase(state_.chat.begin());
         state_.chat.push_back({.name = message.name, .text = message.text});
     }
 
     void on(const server::Notice& message) {
         state_.last_notice = message;
-        if (message.code == server::NoticeCode::TableClosed) state_.table.reset();
+        const bool is_table_gone = message.code == server::NoticeCode::TableClosed ||
+                                   message.code == server::NoticeCode::Kicked;
+        if (is_table_gone) leave_table();
     }
 
     void on(const server::Pong& message) {
@@ -131,9 +141,13 @@ class Reduction {
                                   ->offset;
     }
 
+    /// The table is as it was: what was missed follows as if it had never been away.
     void on(const server::Resumed& message) {
-        if (state_.table) state_.table->my_seats = message.your_seats;
         guess_clock(message.server_time_us);
+        if (!state_.table || state_.table->row.table != message.table) return;
+        state_.link = LinkState::Ready;
+        state_.table->my_seats = message.your_seats;
+        state_.is_table_stale = false;
     }
 
     void on(const server::TableChanged& message) {
@@ -152,7 +166,7 @@ class Reduction {
                 [&](const server::TableRow& row) { return row.table == changed.table; });
             if (known != state_.tables.end()) {
                 *known = changed;
-            } else {
+            } else if (state_.tables.size() < kTablesKept) {
                 state_.tables.insert(state_.tables.begin(), changed);
             }
         }
@@ -165,6 +179,11 @@ class Reduction {
     void on(const server::ReplayChunk&) {}
 
   private:
+    void leave_table() {
+        state_.table.reset();
+        state_.is_table_stale = false;
+    }
+
     /// The table, where `sequence` is not older than what it has seen: after a reconnect an answer
     /// may tell of something that the snapshot already holds.
     TableView* news(std::uint64_t sequence) {
@@ -188,6 +207,19 @@ class Reduction {
         if (last && view.match && last->after.shots_played == view.match->shots_played) {
             view.last_shot = last;
         }
+    }
+
+    /// How a match ended that was over before the snapshot; what MatchOver said of it is better.
+    std::optional<server::MatchOver> end_of(const TableView& view) const {
+        const match::MatchState& match = *view.match;
+        if (state_.table && state_.table->over && state_.table->row.table == view.row.table &&
+            state_.table->match && state_.table->match->shots_played == match.shots_played) {
+            return state_.table->over;
+        }
+        return server::MatchOver{.sequence = view.sequence,
+                                 .winner = match.winner,
+                                 .racks_won = match.racks_won,
+                                 .shots = static_cast<std::uint32_t>(match.shots_played)};
     }
 
     /// A message took some time to get here, so the largest guess is the nearest.

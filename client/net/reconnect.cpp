@@ -1,4 +1,5 @@
-// Takes losses and messages; gives delays with jitter, the newest token and the unanswered shot.
+// Takes losses and messages; gives delays with jitter, the newest greeting and what
+// to say again.
 #include "client/net/reconnect.h"
 
 #include <algorithm>
@@ -14,11 +15,14 @@ bool is_final(LostCode code) {
     return code == LostCode::OtherVersion || code == LostCode::NotAServer;
 }
 
-bool ends_the_match(const protocol::ServerMessage& message) {
-    const auto* notice = std::get_if<protocol::server::Notice>(&message);
-    return std::holds_alternative<protocol::server::MatchStarted>(message) ||
-           std::holds_alternative<protocol::server::MatchOver>(message) ||
-           (notice != nullptr && notice->code == protocol::server::NoticeCode::TableClosed);
+/// Of an event at the table; none of what is for one session alone.
+std::optional<std::uint64_t> sequence_of(const protocol::ServerMessage& message) {
+    return std::visit(
+        []<class Message>(const Message& body) -> std::optional<std::uint64_t> {
+            if constexpr (requires { body.sequence; }) return body.sequence;
+            return std::nullopt;
+        },
+        message);
 }
 
 }  // namespace
@@ -28,12 +32,13 @@ Reconnect::Reconnect(std::string name, std::optional<protocol::ResumeToken> toke
     : name_(std::move(name)), token_(token), random_(seed), limits_(limits) {}
 
 protocol::client::Hello Reconnect::hello() const {
-    return {.name = name_, .token = token_};
+    return {.name = name_,
+            .token = token_,
+            .followed = token_ ? followed_ : std::optional<protocol::client::Followed>()};
 }
 
-void Reconnect::sent(const protocol::ClientMessage& message) {
-    if (std::holds_alternative<protocol::client::TakeShot>(message.body)) shot_ = message;
-    if (std::holds_alternative<protocol::client::Leave>(message.body)) shot_.reset();
+bool Reconnect::sent(const protocol::ClientMessage& message) {
+    return !unanswered_.sent(message) || !is_table_due_;
 }
 
 void Reconnect::received(const protocol::ServerMessage& message, base::Instant now) {
@@ -41,25 +46,35 @@ void Reconnect::received(const protocol::ServerMessage& message, base::Instant n
         token_ = welcome->token;
         welcomed_ = now;
         was_ever_welcomed_ = true;
-        if (!welcome->table) shot_.reset();
+        is_table_due_ = welcome->table.has_value();
+        if (!welcome->table) followed_.reset();
     } else if (const auto* refused = std::get_if<protocol::server::Refused>(&message)) {
         if (refused->code == protocol::RefusedCode::UnknownToken) is_over_ = true;
     } else if (const auto* notice = std::get_if<protocol::server::Notice>(&message)) {
         if (notice->code == protocol::server::NoticeCode::ReplacedByNewConnection) is_over_ = true;
     }
-    if (shot_ && (is_answered_by(message) || ends_the_match(message))) shot_.reset();
+    follow(message);
+    unanswered_.received(message);
 }
 
-bool Reconnect::is_answered_by(const protocol::ServerMessage& message) const {
-    const std::uint64_t shot_id = std::get<protocol::client::TakeShot>(shot_->body).shot_id;
-    if (const auto* played = std::get_if<protocol::server::ShotPlayed>(&message)) {
-        return played->shot_id == shot_id;
+/// After Resumed the table is as it was followed, and events go on from there.
+void Reconnect::follow(const protocol::ServerMessage& message) {
+    const auto* snapshot = std::get_if<protocol::server::TableSnapshot>(&message);
+    if (snapshot != nullptr) {
+        followed_ = {.table = snapshot->row.table,
+                     .stream = snapshot->stream,
+                     .sequence = snapshot->sequence};
+    } else if (const auto sequence = sequence_of(message); sequence && followed_) {
+        followed_->sequence = std::max(followed_->sequence, *sequence);
     }
-    if (const auto* snapshot = std::get_if<protocol::server::TableSnapshot>(&message)) {
-        return snapshot->rolling && snapshot->rolling->shot_id == shot_id;
-    }
-    const auto* refused = std::get_if<protocol::server::Refused>(&message);
-    return refused != nullptr && refused->in_reply_to == shot_->request_id;
+    const bool shows_table =
+        snapshot != nullptr || std::holds_alternative<protocol::server::Resumed>(message);
+    if (shows_table && std::exchange(is_table_due_, false)) is_repeat_due_ = true;
+}
+
+std::vector<protocol::ClientMessage> Reconnect::take_repeats() {
+    if (!std::exchange(is_repeat_due_, false)) return {};
+    return unanswered_.all();
 }
 
 std::optional<base::Duration> Reconnect::lost(LostCode code, base::Instant now) {

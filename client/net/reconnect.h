@@ -3,6 +3,7 @@
 #pragma once
 
 #include "client/net/lost.h"
+#include "client/net/unanswered.h"
 #include "common/base/random.h"
 #include "common/base/time.h"
 #include "common/protocol/messages.h"
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace billiards::client {
 
@@ -28,24 +30,27 @@ class Reconnect {
     Reconnect(std::string name, std::optional<protocol::ResumeToken> token, std::uint64_t seed,
               const ReconnectLimits& limits = {});
 
-    /// The greeting of the next link, with the newest token.
+    /// The greeting of the next link, with the newest token and how far the table was followed.
     protocol::client::Hello hello() const;
 
-    /// Everything that was sent and received goes through here.
-    void sent(const protocol::ClientMessage& message);
+    // Everything that is sent and received goes through here.
+
+    /// False: not now, because the table has yet to show how it stands; it is said with the rest of
+    /// take_repeats() then.
+    bool sent(const protocol::ClientMessage& message);
     void received(const protocol::ServerMessage& message, base::Instant now);
+    /// What must be said now, after a message was received: everything that may be said again and
+    /// was not answered, once a new link has shown how the table stands.
+    std::vector<protocol::ClientMessage> take_repeats();
 
     /// How long to wait before the next link: doubled each time, and spread over the upper half of
     /// that, so that a thousand clients of one server do not come back at once. None: give up.
     std::optional<base::Duration> lost(LostCode code, base::Instant now);
 
-    /// The shot that was sent and not answered: to be sent again, as it is, after each Welcome that
-    /// still names a table.
-    const std::optional<protocol::ClientMessage>& unanswered_shot() const { return shot_; }
     const std::optional<protocol::ResumeToken>& token() const { return token_; }
 
   private:
-    bool is_answered_by(const protocol::ServerMessage& message) const;
+    void follow(const protocol::ServerMessage& message);
 
     std::string name_;
     std::optional<protocol::ResumeToken> token_;
@@ -55,7 +60,10 @@ class Reconnect {
     bool was_ever_welcomed_ = false;
     bool is_over_ = false;  ///< Replaced by another connection, or the token is no longer known.
     int attempts_ = 0;
-    std::optional<protocol::ClientMessage> shot_;
+    std::optional<protocol::client::Followed> followed_;
+    Unanswered unanswered_;
+    bool is_table_due_ = false;   ///< A Welcome named it, and it has not been shown yet.
+    bool is_repeat_due_ = false;  ///< It has been shown, and nothing was said again yet.
 };
 
 }  // namespace billiards::client

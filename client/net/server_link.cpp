@@ -72,8 +72,8 @@ class ServerLink::Session {
     std::uint32_t send(protocol::ClientMessageBody body) {
         const std::uint32_t id = ++last_request_id_;
         asio::post(io_, [this, message = protocol::ClientMessage{id, std::move(body)}] {
-            reconnect_.sent(message);
-            if (is_welcome_) link_->send(message);
+            const bool is_for_now = reconnect_.sent(message);
+            if (is_for_now && is_welcome_) link_->send(message);
         });
         return id;
     }
@@ -108,8 +108,8 @@ class ServerLink::Session {
         if (std::holds_alternative<protocol::server::Welcome>(message)) {
             is_welcome_ = true;
             link_->keep_alive();
-            if (reconnect_.unanswered_shot()) link_->send(*reconnect_.unanswered_shot());
         }
+        for (const auto& repeated : reconnect_.take_repeats()) link_->send(repeated);
         if (events_.push(Arrived{.message = std::move(message), .at = now})) link_->pause_reading();
     }
 

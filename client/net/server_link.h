@@ -41,8 +41,9 @@ struct ServerLinkOptions {
     ReconnectLimits reconnect;
 };
 
-/// It greets by itself, keeps the session alive by itself, and repeats by itself a shot that was
-/// not answered when the link was lost. Everything may be called from any one thread at a time.
+/// It greets by itself, keeps the session alive by itself, and says again by itself what was not
+/// answered when the link was lost: everything of which may_be_repeated() is true. Everything may
+/// be called from any one thread at a time.
 class ServerLink {
   public:
     explicit ServerLink(ServerLinkOptions options);
@@ -51,8 +52,8 @@ class ServerLink {
     ServerLink(const ServerLink&) = delete;
     ServerLink& operator=(const ServerLink&) = delete;
 
-    /// Gives the request_id that a refusal will name. While the link is down only a TakeShot is
-    /// kept: of everything else, decide anew from the snapshot that follows the next Welcome.
+    /// Gives the request_id that a refusal will name. What may not be repeated is not kept while
+    /// the link is down: of that, decide anew once the table is known again.
     std::uint32_t send(protocol::ClientMessageBody body);
 
     /// The next event, if one waits.

@@ -49,8 +49,7 @@ void LoadSession::connect() {
 
 std::uint32_t LoadSession::send(protocol::ClientMessageBody body) {
     const protocol::ClientMessage message{++last_request_id_, std::move(body)};
-    reconnect_.sent(message);
-    if (!is_welcome_) return message.request_id;
+    if (!reconnect_.sent(message) || !is_welcome_) return message.request_id;
     if (const auto* take = std::get_if<protocol::client::TakeShot>(&message.body)) {
         link_->send(message, [this, shot_id = take->shot_id] {
             recorder_.shot_sent(shot_id, client::local_now());
@@ -70,9 +69,12 @@ void LoadSession::received(const protocol::ServerMessage& message, std::size_t f
         on_welcome(*welcome, now);
     } else if (const auto* snapshot = std::get_if<protocol::server::TableSnapshot>(&message)) {
         on_place(snapshot->row.table);
+    } else if (const auto* resumed = std::get_if<protocol::server::Resumed>(&message)) {
+        on_place(resumed->table);
     } else if (const auto* refused = std::get_if<protocol::server::Refused>(&message)) {
         recorder_.error("refused: " + refused->detail);
     }
+    for (const auto& repeated : reconnect_.take_repeats()) link_->send(repeated);
     if (!player_ || player_->is_finished()) return;
     player_->received(message, now);
     player_->advance_time(now);
@@ -85,7 +87,6 @@ void LoadSession::on_welcome(const protocol::server::Welcome& welcome, base::Ins
     gone_since_.reset();
     is_welcome_ = true;
     link_->keep_alive();
-    if (reconnect_.unanswered_shot()) link_->send(*reconnect_.unanswered_shot());
     if (!player_ && !welcome.table) {
         send(protocol::client::Join{.table = options_.table, .role = protocol::Role::Spectator});
     }

@@ -113,54 +113,76 @@ protocol::ClientMessage take_shot() {
             .body = protocol::client::TakeShot{.turn = {3}, .shot_id = 77, .shot = {}, .call = {}}};
 }
 
-Reconnect with_shot() {
+/// On a link that stands, at a table that is known.
+Reconnect at_table() {
     Reconnect reconnect = welcomed();
-    reconnect.sent(take_shot());
+    reconnect.received(told::snapshot(3, {}, std::nullopt), kNow);
+    reconnect.take_repeats();
     return reconnect;
 }
 
-TEST(UnansweredShot, IsKeptAsItWas) {
-    Reconnect reconnect = with_shot();
-    reconnect.sent({.request_id = 13, .body = protocol::client::Chat{"hello"}});
+server::TableSnapshot snapshot_of(std::uint64_t stream, std::uint64_t sequence) {
+    server::TableSnapshot snapshot = told::snapshot(sequence, {}, std::nullopt);
+    snapshot.stream = stream;
+    return snapshot;
+}
+
+TEST(Reconnect, SaysHowFarItHasFollowedItsTable) {
+    Reconnect reconnect = welcomed();
+    EXPECT_FALSE(reconnect.hello().followed);
+    reconnect.received(snapshot_of(99, 4), kNow);
+    const auto followed = [&] { return reconnect.hello().followed; };
+    using Followed = protocol::client::Followed;
+    EXPECT_EQ(followed(), (Followed{.table = {7}, .stream = 99, .sequence = 4}));
+    reconnect.received(told::shot(6, {}), kNow);
+    EXPECT_EQ(followed()->sequence, 6U);
+    reconnect.received(told::shot(5, {}), kNow);
+    EXPECT_EQ(followed()->sequence, 6U) << "an answer that is repeated is old";
+    reconnect.received(server::Resumed{.table = {7}, .your_seats = {}, .server_time_us = 0}, kNow);
+    reconnect.received(told::over(7, model::Seat::First), kNow);
+    EXPECT_EQ(followed()->sequence, 7U);
+    reconnect.received(snapshot_of(100, 1), kNow);
+    EXPECT_EQ(followed(), (Followed{.table = {7}, .stream = 100, .sequence = 1}));
+    reconnect.received(welcome(), kNow);
+    EXPECT_FALSE(followed()) << "it has no place there any more";
+}
+
+TEST(Reconnect, SaysAgainWhatWasNotAnsweredOnceTheTableIsKnown) {
+    const std::vector<protocol::ServerMessage> shown{
+        told::snapshot(4, {}, told::match_at(3, model::Seat::First)),
+        server::Resumed{.table = {7}, .your_seats = {}, .server_time_us = 0}};
+    for (const protocol::ServerMessage& message : shown) {
+        Reconnect reconnect = at_table();
+        EXPECT_TRUE(reconnect.sent(take_shot()));
+        EXPECT_TRUE(reconnect.sent({.request_id = 13, .body = protocol::client::Chat{"hello"}}));
+        reconnect.lost(LostCode::Closed, kNow);
+        reconnect.received(welcome(protocol::TableId{7}), kNow);
+        EXPECT_TRUE(reconnect.take_repeats().empty()) << "how the table stands is not known yet";
+        reconnect.received(message, kNow);
+        EXPECT_EQ(reconnect.take_repeats(), std::vector{take_shot()});
+        EXPECT_TRUE(reconnect.take_repeats().empty());
+        reconnect.received(message, kNow);
+        EXPECT_TRUE(reconnect.take_repeats().empty()) << "once a link";
+    }
+}
+
+TEST(Reconnect, KeepsForTheTableWhatIsSaidBeforeItIsKnown) {
+    Reconnect reconnect = at_table();
     reconnect.lost(LostCode::Closed, kNow);
     reconnect.received(welcome(protocol::TableId{7}), kNow);
-    EXPECT_EQ(reconnect.unanswered_shot(), take_shot());
+    EXPECT_FALSE(reconnect.sent(take_shot()));
+    EXPECT_TRUE(reconnect.sent({.request_id = 13, .body = protocol::client::Chat{"hello"}}));
+    reconnect.received(told::snapshot(4, {}, std::nullopt), kNow);
+    EXPECT_EQ(reconnect.take_repeats(), std::vector{take_shot()});
 }
 
-TEST(UnansweredShot, ANewOneTakesThePlaceOfTheOld) {
-    Reconnect reconnect = with_shot();
-    protocol::ClientMessage next = take_shot();
-    std::get<protocol::client::TakeShot>(next.body).shot_id = 78;
-    reconnect.sent(next);
-    EXPECT_EQ(reconnect.unanswered_shot(), next);
-}
-
-struct Answer {
-    const char* name;
-    protocol::ServerMessage message;
-    bool ends_waiting;
-};
-
-TEST(UnansweredShot, IsAnsweredByWhatNamesIt) {
-    server::TableSnapshot rolling = told::snapshot(4, {}, std::nullopt);
-    rolling.rolling = told::shot(4, {}, 77);
-    const std::vector<Answer> answers{
-        {"its result", told::shot(4, {}, 77), true},
-        {"another's result", told::shot(4, {}, 78), false},
-        {"its refusal", told::refused(protocol::RefusedCode::TooEarly, 12), true},
-        {"another's refusal", told::refused(protocol::RefusedCode::TooEarly, 13), false},
-        {"a snapshot that shows it rolling", rolling, true},
-        {"a snapshot", told::snapshot(4, {}, std::nullopt), false},
-        {"the end of the match", server::MatchOver{}, true},
-        {"the end of the table", told::notice(server::NoticeCode::TableClosed), true},
-        {"a welcome that names no table", welcome(), true},
-        {"a welcome that names the table", welcome(protocol::TableId{7}), false},
-        {"a pong", server::Pong{}, false}};
-    for (const Answer& answer : answers) {
-        Reconnect reconnect = with_shot();
-        reconnect.received(answer.message, kNow);
-        EXPECT_EQ(!reconnect.unanswered_shot().has_value(), answer.ends_waiting) << answer.name;
-    }
+TEST(Reconnect, SaysNothingAgainWhereItsPlaceIsGone) {
+    Reconnect reconnect = at_table();
+    reconnect.sent(take_shot());
+    reconnect.lost(LostCode::Closed, kNow);
+    reconnect.received(welcome(), kNow);
+    reconnect.received(told::snapshot(4, {}, std::nullopt), kNow);
+    EXPECT_TRUE(reconnect.take_repeats().empty());
 }
 
 }  // namespace

@@ -72,15 +72,18 @@ TEST(ServerLink, ComesBackWithItsTokenAndRepeatsTheUnansweredShot) {
     FakeServer fake([&](FakeServer& self) {
         {
             Peer peer = greet(self, hellos[0], 1);
+            peer.write(told::snapshot(3, {}, told::match_at(3, model::Seat::First)));
             shots.push_back(peer.read_a<protocol::client::TakeShot>());
         }
         {
             Peer peer = greet(self, hellos[1], 2);
+            peer.write(told::snapshot(3, {}, told::match_at(3, model::Seat::First)));
             shots.push_back(peer.read_a<protocol::client::TakeShot>());
             peer.write(told::shot(4, told::match_at(4, model::Seat::Second, 1), 77));
             peer.read_a<protocol::client::Seen>();
         }
         Peer peer = greet(self, hellos[2], 3);
+        peer.write(server::Resumed{});
         const auto next = peer.read();
         is_repeated_once_answered =
             next && std::holds_alternative<protocol::client::TakeShot>(next->body);
@@ -98,6 +101,10 @@ TEST(ServerLink, ComesBackWithItsTokenAndRepeatsTheUnansweredShot) {
     EXPECT_FALSE(is_repeated_once_answered);
     EXPECT_EQ(hellos[1].token, protocol::ResumeToken{1});
     EXPECT_EQ(hellos[2].token, protocol::ResumeToken{2});
+    EXPECT_FALSE(hellos[0].followed);
+    ASSERT_TRUE(hellos[1].followed && hellos[2].followed);
+    EXPECT_EQ(hellos[1].followed->sequence, 3U);
+    EXPECT_EQ(hellos[2].followed->sequence, 4U);
 }
 
 TEST(ServerLink, SaysWhyTheFirstConnectionFailedAndThatItIsFinal) {
