@@ -158,31 +158,63 @@ std::string groups_set(const TableView& before, const match::MatchState& after,
     return short_name(before, shooter) + " has " + words((*verdict.groups)[shooter]);
 }
 
-/// How the match ended, without a shot.
-std::string_view last_words(const match::MatchState& over) {
-    if (over.winner) return "concedes";
-    const bool is_practice = over.settings.game == rules::Game::Practice;
-    return is_practice ? "ends the practice" : "agrees to the draw";
+bool is_draw(const std::optional<match::MatchState::StandingOffer>& offer) {
+    return offer && offer->kind == match::OfferKind::Draw;
 }
 
-/// A step without a shot: what is new in the match tells which.
-std::string what_was_done(const match::MatchState& was, const server::MatchMoved& moved) {
-    const match::MatchState& is = moved.after;
-    if (moved.choice) return "chose to " + words(*moved.choice);
-    if (moved.verdict) return "ran out of time";
-    if (is.offer && is.offer != was.offer) {
-        const bool draw = is.offer->kind == match::OfferKind::Draw;
-        return draw ? "offers a draw" : "offers to play the rack again";
+std::string_view offered(const match::MatchState& after) {
+    return is_draw(after.offer) ? "offers a draw" : "offers to play the rack again";
+}
+
+std::string_view accepted(const match::MatchState& after) {
+    const bool ends = after.stage == match::Stage::Over;
+    return ends ? "agrees to the draw" : "agrees to play the rack again";
+}
+
+std::string_view rejected(const TableView& before) {
+    if (!before.match) return "declines the offer";
+    return is_draw(before.match->offer) ? "declines the draw" : "declines to play the rack again";
+}
+
+std::string_view gave_up(const match::MatchState& after) {
+    const bool is_practice = after.settings.game == rules::Game::Practice;
+    return is_practice ? "ends the practice" : "concedes";
+}
+
+/// What a step without a shot was: the rest of "Ada#12ab ...".
+std::string what_was_done(const TableView& before, const server::MatchMoved& moved) {
+    switch (moved.move) {
+        case server::Move::Choice:
+            return "chose to " + (moved.choice ? words(*moved.choice) : "go on");
+        case server::Move::Timeout:
+            return "ran out of time";
+        case server::Move::Concession:
+            return std::string(gave_up(moved.after));
+        case server::Move::Forfeit:
+            return fmt::format("stayed away for too long; {} claims the match",
+                               short_name(before, model::opponent_of(moved.seat)));
+        case server::Move::Extension:
+            return "takes an extension";
+        case server::Move::Offer:
+            return std::string(offered(moved.after));
+        case server::Move::Acceptance:
+            return std::string(accepted(moved.after));
+        case server::Move::Rejection:
+            return std::string(rejected(before));
+        case server::Move::StalemateClaim:
+            return "claims a stalemate";
+        case server::Move::Spotting:
+            return "has the nearest ball spotted";
+        case server::Move::Placing:
+            return "places a ball";
+        case server::Move::Undoing:
+            return "takes the last change back";
+        case server::Move::Repeating:
+            return "sets the balls up as before the last shot";
+        case server::Move::Reracking:
+            return "racks the balls again";
     }
-    const bool answered = was.offer && !is.offer && was.offer->by != moved.seat;
-    if (answered && is.turn == was.turn) return "declines";
-    if (answered && is.rack.phase == rules::Phase::Break) return "agrees to play the rack again";
-    if (is.claim && !was.claim) return "claims a stalemate";
-    if (is.extended_in != was.extended_in) return "takes an extension";
-    const bool is_practice = is.settings.game == rules::Game::Practice;
-    if (is.turn == was.turn) return is_practice ? "places a ball" : "has the nearest ball spotted";
-    // Undo, repeat and re-rack; or the clock of a choice.
-    return is_practice ? "sets the balls up anew" : "ran out of time";
+    return "";
 }
 
 /// "a; b; c" of those that are not empty.
@@ -194,6 +226,20 @@ std::string joined(const std::vector<std::string>& clauses) {
         text += clause;
     }
     return text;
+}
+
+/// What stands behind "... wins the match 2-1".
+std::string how_it_ended(const TableView& before, server::Ending ending, model::Seat loser) {
+    switch (ending) {
+        case server::Ending::Conceded:
+            return fmt::format(": {} conceded", short_name(before, loser));
+        case server::Ending::Claimed:
+            return fmt::format(": {} stayed away", short_name(before, loser));
+        case server::Ending::Played:
+        case server::Ending::Abandoned:
+            return "";
+    }
+    return "";
 }
 
 }  // namespace
@@ -218,31 +264,37 @@ std::string tell(const TableView& before, const server::ShotPlayed& shot) {
 }
 
 std::string tell(const TableView& before, const server::MatchMoved& moved) {
-    const std::string who = full_name(before, moved.seat);
-    if (moved.after.stage == match::Stage::Over && !moved.verdict) {
-        return fmt::format("{} {}", who, last_words(moved.after));
-    }
-    const std::string what = what_was_done(before.match.value_or(match::MatchState{}), moved);
+    const std::string what =
+        fmt::format("{} {}", full_name(before, moved.seat), what_was_done(before, moved));
+    if (moved.after.stage == match::Stage::Over) return what;
     const std::string points = moved.verdict ? score_of(before, *moved.verdict) : "";
+    if (moved.move == server::Move::Offer) {
+        return fmt::format("{}; {} may agree or decline", what,
+                           short_name(before, model::opponent_of(moved.seat)));
+    }
     const std::string next = short_name(before, moved.after.to_act);
+    if (moved.after.stage == match::Stage::Choosing)
+        return joined({what, points, next + " to choose"});
     const bool is_break = moved.after.rack.phase == rules::Phase::Break;
     const std::string follows = fmt::format("{} to {}{}", next, is_break ? "break" : "play",
                                             is_break ? "" : in_hand(moved.after.rack.in_hand));
-    return joined({fmt::format("{} {}", who, what), points, follows});
+    return joined({what, points, follows});
 }
 
 std::string narrate(const TableView& before, const server::MatchOver& over) {
+    const std::string score = fmt::format("{}-{}", over.racks_won[model::Seat::First],
+                                          over.racks_won[model::Seat::Second]);
+    if (over.ending == server::Ending::Abandoned) {
+        return fmt::format("the match is abandoned at {}: nobody came back to it", score);
+    }
     if (!over.winner) {
         if (before.row.settings.game == rules::Game::Practice) return "practice is over";
-        return fmt::format("the match is drawn {}-{}", over.racks_won[model::Seat::First],
-                           over.racks_won[model::Seat::Second]);
+        return "the match is drawn " + score;
     }
     const model::Seat loser = model::opponent_of(*over.winner);
-    const std::string how = over.ending == server::Ending::Conceded
-                                ? fmt::format(": {} conceded", short_name(before, loser))
-                                : std::string();
     return fmt::format("{} wins the match {}-{}{}", full_name(before, *over.winner),
-                       over.racks_won[*over.winner], over.racks_won[loser], how);
+                       over.racks_won[*over.winner], over.racks_won[loser],
+                       how_it_ended(before, over.ending, loser));
 }
 
 std::string full_name(const TableView& table, model::Seat seat) {
@@ -256,64 +308,6 @@ std::string short_name(const TableView& table, model::Seat seat) {
     const std::string name = full_name(table, seat);
     const std::string other = full_name(table, model::opponent_of(seat));
     return base_name(name) == base_name(other) ? name : base_name(name);
-}
-
-std::string words(rules::Foul foul) {
-    switch (foul) {
-        case rules::Foul::Scratch:
-            return "scratch";
-        case rules::Foul::NoBallHit:
-            return "no ball hit";
-        case rules::Foul::WrongBallFirst:
-            return "wrong ball first";
-        case rules::Foul::NoCushionAfterContact:
-            return "no cushion after contact";
-        case rules::Foul::BallOffTable:
-            return "ball off the table";
-        case rules::Foul::IllegalBreak:
-            return "illegal break";
-        case rules::Foul::HeadString:
-            return "not across the head string";
-        case rules::Foul::Clock:
-            return "out of time";
-        case rules::Foul::BadPlacement:
-            return "cue ball badly placed";
-        case rules::Foul::WrongBallStruck:
-            return "wrong ball struck";
-        case rules::Foul::BreakingFoul:
-            return "breaking foul";
-    }
-    return "";
-}
-
-std::string words(rules::Choice choice) {
-    switch (choice) {
-        case rules::Choice::Accept:
-            return "play on";
-        case rules::Choice::RebreakSelf:
-            return "re-rack and break";
-        case rules::Choice::RebreakOpponent:
-            return "have the opponent break again";
-        case rules::Choice::SpotEight:
-            return "spot the 8 and play on";
-        case rules::Choice::BallInHandBehindHeadString:
-            return "take ball in hand behind the head string";
-        case rules::Choice::Play:
-            return "play on";
-        case rules::Choice::PassBack:
-            return "have the opponent play on";
-    }
-    return "";
-}
-
-std::string words(rules::Group group) {
-    switch (group) {
-        case rules::Group::Solids:
-            return "solids";
-        case rules::Group::Stripes:
-            return "stripes";
-    }
-    return "";
 }
 
 }  // namespace billiards::client

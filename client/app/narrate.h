@@ -1,10 +1,10 @@
-// Takes rulings; gives the sentences that people read. The only place where they are made.
+// Takes rulings; gives the sentences that people read.
 #pragma once
 
 #include "client/app/client_state.h"
+#include "client/app/rule_words.h"
 #include "common/model/seat.h"
 #include "common/protocol/messages.h"
-#include "common/rules/verdict.h"
 
 #include <string>
 
@@ -17,7 +17,7 @@ namespace billiards::client {
 std::string narrate(const TableView& before, const protocol::server::ShotPlayed& shot);
 /// "rack 2, after shot 31: Ada#12ab chose to re-rack and break; Ada to break"
 std::string narrate(const TableView& before, const protocol::server::MatchMoved& moved);
-/// "Ada#12ab wins the match 2-1"
+/// "Ada#12ab wins the match 2-1: Grace stayed away"
 std::string narrate(const TableView& before, const protocol::server::MatchOver& over);
 
 /// The same without their numbers: "Ada#12ab called 5 in pocket 2: pocketed 5; Ada continues"
@@ -29,9 +29,5 @@ std::string tell(const TableView& before, const protocol::server::MatchMoved& mo
 std::string full_name(const TableView& table, model::Seat seat);
 /// The name of a seat's player as it is said in passing.
 std::string short_name(const TableView& table, model::Seat seat);
-
-std::string words(rules::Foul foul);
-std::string words(rules::Choice choice);
-std::string words(rules::Group group);
 
 }  // namespace billiards::client

@@ -224,6 +224,7 @@ TEST(Narrate, AChoiceAndWhatFollows) {
 
 TEST(Narrate, AClockThatRanOut) {
     server::MatchMoved moved = told::moved(2, Seat::First, told::match_at(9, Seat::Second, 4));
+    moved.move = server::Move::Timeout;
     moved.verdict = verdict(Reason::ClockRanOut, Seat::Second);
     moved.after.rack.in_hand = Zone::Anywhere;
     EXPECT_EQ(narrate(table_before(rules::Phase::Open), moved),
@@ -234,57 +235,81 @@ TEST(Narrate, AClockThatCostPoints) {
     TableView before = table_before(Phase::Groups);
     before.match->rack.scores = {{0, 12}};
     server::MatchMoved moved = told::moved(2, Seat::First, told::match_at(8, Seat::Second, 6));
+    moved.move = server::Move::Timeout;
     moved.verdict = verdict(Reason::ClockRanOut, Seat::Second);
     moved.verdict->score_change[Seat::First] = -1;
     EXPECT_EQ(tell(before, moved), "Ada#12ab ran out of time; points -1 to 12; Grace to play");
 }
 
 /// What the first seat does in turn 7, which leaves the match so.
-std::string moved_to(const match::MatchState& after) {
-    const server::MatchMoved moved = told::moved(2, Seat::First, after);
+std::string moved_to(server::Move move, const match::MatchState& after) {
+    server::MatchMoved moved = told::moved(2, Seat::First, after);
+    moved.move = move;
     return tell(table_before(rules::Phase::Open), moved);
 }
 
+match::MatchState turn_7() {
+    return told::match_at(7, Seat::First, 6);
+}
+
+match::MatchState over_for(std::optional<Seat> winner) {
+    match::MatchState over = turn_7();
+    over.stage = match::Stage::Over;
+    over.winner = winner;
+    return over;
+}
+
+using server::Move;
+
 TEST(Narrate, WhatStandsBetweenTwoTurns) {
-    match::MatchState offers = told::match_at(7, Seat::First, 6);
+    match::MatchState offers = turn_7();
     offers.offer = {match::OfferKind::Draw, Seat::First};
-    EXPECT_EQ(moved_to(offers), "Ada#12ab offers a draw; Ada to play");
+    EXPECT_EQ(moved_to(Move::Offer, offers), "Ada#12ab offers a draw; Grace may agree or decline");
     offers.offer->kind = match::OfferKind::Stalemate;
-    EXPECT_EQ(moved_to(offers), "Ada#12ab offers to play the rack again; Ada to play");
-    match::MatchState claims = told::match_at(7, Seat::First, 6);
-    claims.claim.emplace();
-    EXPECT_EQ(moved_to(claims), "Ada#12ab claims a stalemate; Ada to play");
-    match::MatchState extended = told::match_at(7, Seat::First, 6);
-    extended.extended_in[Seat::First] = extended.turn;
-    EXPECT_EQ(moved_to(extended), "Ada#12ab takes an extension; Ada to play");
+    EXPECT_EQ(moved_to(Move::Offer, offers),
+              "Ada#12ab offers to play the rack again; Grace may agree or decline");
+    EXPECT_EQ(moved_to(Move::StalemateClaim, turn_7()), "Ada#12ab claims a stalemate; Ada to play");
+    EXPECT_EQ(moved_to(Move::Extension, turn_7()), "Ada#12ab takes an extension; Ada to play");
+    match::MatchState choosing = turn_7();
+    choosing.stage = match::Stage::Choosing;
+    EXPECT_EQ(moved_to(Move::Extension, choosing), "Ada#12ab takes an extension; Ada to choose");
 }
 
 TEST(Narrate, BallsThatAreSetWithoutAShot) {
-    match::MatchState after = told::match_at(7, Seat::First, 6);
-    EXPECT_EQ(moved_to(after), "Ada#12ab has the nearest ball spotted; Ada to play");
-    after.settings.game = rules::Game::Practice;
-    EXPECT_EQ(moved_to(after), "Ada#12ab places a ball; Ada to play");
-    ++after.turn.value;
-    EXPECT_EQ(moved_to(after), "Ada#12ab sets the balls up anew; Ada to play");
+    EXPECT_EQ(moved_to(Move::Spotting, turn_7()),
+              "Ada#12ab has the nearest ball spotted; Ada to play");
+    EXPECT_EQ(moved_to(Move::Placing, turn_7()), "Ada#12ab places a ball; Ada to play");
+    EXPECT_EQ(moved_to(Move::Undoing, turn_7()),
+              "Ada#12ab takes the last change back; Ada to play");
+    EXPECT_EQ(moved_to(Move::Repeating, turn_7()),
+              "Ada#12ab sets the balls up as before the last shot; Ada to play");
+    match::MatchState racked = turn_7();
+    racked.rack.phase = rules::Phase::Break;
+    EXPECT_EQ(moved_to(Move::Reracking, racked), "Ada#12ab racks the balls again; Ada to break");
 }
 
 TEST(Narrate, AnAnswerToAnOffer) {
     TableView before = table_before(rules::Phase::Open);
     before.match->offer = {match::OfferKind::Stalemate, Seat::Second};
-    server::MatchMoved moved = told::moved(2, Seat::First, told::match_at(7, Seat::First, 6));
-    EXPECT_EQ(tell(before, moved), "Ada#12ab declines; Ada to play");
-    moved.after.offer = before.match->offer;
-    moved.after.claim.emplace();
-    EXPECT_EQ(tell(before, moved), "Ada#12ab claims a stalemate; Ada to play") << "it still stands";
-    moved.after.offer.reset();
-    moved.after.claim.reset();
-    moved.after.turn = {8};
+    server::MatchMoved moved = told::moved(2, Seat::First, turn_7());
+    moved.move = Move::Rejection;
+    EXPECT_EQ(tell(before, moved), "Ada#12ab declines to play the rack again; Ada to play");
+    before.match->offer->kind = match::OfferKind::Draw;
+    EXPECT_EQ(tell(before, moved), "Ada#12ab declines the draw; Ada to play");
+    moved.move = Move::Acceptance;
     moved.after.rack.phase = rules::Phase::Break;
     EXPECT_EQ(tell(before, moved), "Ada#12ab agrees to play the rack again; Ada to break");
-    moved.after.stage = match::Stage::Over;
+    moved.after = over_for(std::nullopt);
     EXPECT_EQ(tell(before, moved), "Ada#12ab agrees to the draw");
-    moved.after.winner = Seat::Second;
-    EXPECT_EQ(tell(before, moved), "Ada#12ab concedes");
+}
+
+TEST(Narrate, WhoeverGivesUpOrStaysAway) {
+    EXPECT_EQ(moved_to(Move::Concession, over_for(Seat::Second)), "Ada#12ab concedes");
+    EXPECT_EQ(moved_to(Move::Forfeit, over_for(Seat::Second)),
+              "Ada#12ab stayed away for too long; Grace claims the match");
+    match::MatchState practice = over_for(std::nullopt);
+    practice.settings.game = rules::Game::Practice;
+    EXPECT_EQ(moved_to(Move::Concession, practice), "Ada#12ab ends the practice");
 }
 
 TEST(Narrate, AMatchThatNobodyHasWon) {
@@ -305,6 +330,13 @@ TEST(Narrate, TheEndOfAMatch) {
     over.ending = protocol::server::Ending::Conceded;
     EXPECT_EQ(narrate(table_before(rules::Phase::Groups), over),
               "Grace#3f21 wins the match 3-1: Ada conceded");
+    over.ending = protocol::server::Ending::Claimed;
+    EXPECT_EQ(narrate(table_before(rules::Phase::Groups), over),
+              "Grace#3f21 wins the match 3-1: Ada stayed away");
+    over.ending = protocol::server::Ending::Abandoned;
+    over.winner.reset();
+    EXPECT_EQ(narrate(table_before(rules::Phase::Groups), over),
+              "the match is abandoned at 1-3: nobody came back to it");
 }
 
 }  // namespace
