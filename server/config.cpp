@@ -12,6 +12,9 @@
 namespace billiards::server {
 namespace {
 
+constexpr std::int64_t kMostKeptDays = 36'500;
+constexpr std::uint64_t kMostKeptMegabytes = 1024 * 1024;
+
 /// As it was typed, before anything is made of it.
 struct Flags {
     std::vector<std::string> listen{
@@ -21,7 +24,10 @@ struct Flags {
     std::string http;
     bool plain = false;
     std::string log_format = "text";
+    std::int64_t keep_days = KeepLimits{}.days;
+    std::uint64_t keep_megabytes = KeepLimits{}.megabytes;
     bool is_export = false;
+    bool is_backup = false;
     std::optional<std::uint64_t> match;
     std::string out;
 };
@@ -50,6 +56,18 @@ void describe(CLI::App& app, Flags& flags) {
         ->type_name("ADDRESS:PORT");
     app.add_flag("--plain", flags.plain,
                  "Accept that traffic is not encrypted on addresses that others can reach");
+    app.add_option("--keep-days", flags.keep_days,
+                   "How long the shots of a match that has ended are kept, and guests who never "
+                   "finished one; results stay; 0: for ever")
+        ->check(CLI::Range(std::int64_t{0}, kMostKeptDays))
+        ->type_name("DAYS")
+        ->capture_default_str();
+    app.add_option("--keep-mb", flags.keep_megabytes,
+                   "How large the database may grow before the shots of the oldest matches are "
+                   "dropped; 0: without a limit")
+        ->check(CLI::Range(std::uint64_t{0}, kMostKeptMegabytes))
+        ->type_name("MIB")
+        ->capture_default_str();
     app.add_option("--log-format", flags.log_format, "One line an event [text]")
         ->check(one_of({"text", "json"}))
         ->type_name("text|json");
@@ -65,6 +83,16 @@ void describe_export(CLI::App& app, Flags& flags) {
     exporting->add_option("--out", flags.out, "The file to write [match-ID.billiards]")
         ->type_name("FILE");
     exporting->callback([&flags] { flags.is_export = true; });
+}
+
+void describe_backup(CLI::App& app, Flags& flags) {
+    CLI::App* backing = app.add_subcommand(
+        "backup", "Copy everything that must survive into one file, also while a server runs");
+    backing->add_option("--data", flags.data, "The server's folder, as above")->type_name("FOLDER");
+    backing->add_option("--out", flags.out, "The file to make; it must not be there")
+        ->type_name("FILE")
+        ->required();
+    backing->callback([&flags] { flags.is_backup = true; });
 }
 
 Farewell wrong(const std::string& text) {
@@ -114,6 +142,9 @@ base::Result<CommandLine, Farewell> configuration_of(const Flags& flags,
         !flags.data ? default_data_folder(environment) : std::filesystem::path(*flags.data);
     if (!data) return wrong("--data: neither it nor XDG_DATA_HOME nor HOME names a folder");
     command_line.server.data = *data;
+    command_line.server.keep.days = flags.keep_days;
+    command_line.server.keep.megabytes = flags.keep_megabytes;
+    if (flags.is_backup) command_line.to_back_up = {.data = *data, .file = flags.out};
     if (flags.is_export) {
         const auto match = flags.match ? std::optional(MatchId{*flags.match}) : std::nullopt;
         command_line.to_export = {.data = *data, .match = match, .file = flags.out};
@@ -130,6 +161,7 @@ base::Result<CommandLine, Farewell> parse_command_line(int argc, const char* con
     Flags flags;
     describe(app, flags);
     describe_export(app, flags);
+    describe_backup(app, flags);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) {  // --help or --version

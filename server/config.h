@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/base/result.h"
+#include "server/backup.h"
 #include "server/export.h"
 #include "server/ops/log.h"
 #include "server/server.h"
@@ -16,7 +17,8 @@ namespace billiards::server {
 struct CommandLine {
     ServerConfig server;
     LogFormat log_format = LogFormat::Text;
-    std::optional<ExportOrder> to_export;  ///< Then no server is asked for.
+    std::optional<ExportOrder> to_export;   ///< Then no server is asked for.
+    std::optional<BackupOrder> to_back_up;  ///< Likewise.
 };
 
 /// Help, the version, or what is wrong, naming the flag.

@@ -1,5 +1,6 @@
 // Takes the command line; gives a server that runs until it is asked to stop, or a match that one
-// has kept. Exits with 0, or with 1 and one line that says why it could not.
+// has kept, or a copy of everything. Exits with 0, or with 1 and one line that says why it could
+// not.
 #include "server/config.h"
 #include "server/server.h"
 
@@ -75,5 +76,10 @@ int main(int argc, char** argv) {
     if (command_line->to_export) {
         return export_match(*command_line->to_export, std::cout, std::cerr);
     }
+    if (command_line->to_back_up) {
+        return back_up(*command_line->to_back_up, std::cout, std::cerr);
+    }
+    // Beyond a limit on the size of files a write fails, as on a full disk; it need not be fatal.
+    std::signal(SIGXFSZ, SIG_IGN);
     return run(*command_line, *make_logger(command_line->log_format));
 }

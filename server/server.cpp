@@ -16,6 +16,8 @@
 #include <asio/executor_work_guard.hpp>
 #include <asio/io_context.hpp>
 #include <asio/post.hpp>
+#include <asio/steady_timer.hpp>
+#include <atomic>
 #include <future>
 #include <span>
 #include <stdexcept>
@@ -32,6 +34,9 @@ constexpr std::chrono::seconds kStopStep{6};
 /// The most that the system gives in one call.
 constexpr std::size_t kRandomBytesAtOnce = 256;
 
+/// Guests and journal entries: more than that would keep the players waiting.
+constexpr std::size_t kForgottenAtStart = 10'000;
+
 template <class T>
 T value_or_throw(StoreResult<T> result) {
     if (!result) throw std::runtime_error(result.error().detail);
@@ -47,6 +52,23 @@ StoredWorld load_world(MatchStore& store) {
         world.matches.push_back({std::move(match), std::move(entries)});
     }
     return world;
+}
+
+Retention retention_of(const KeepLimits& keep) {
+    constexpr std::int64_t kDay_s = 24 * 60 * 60;
+    constexpr std::uint64_t kMegabyte_bytes = 1024 * 1024;
+    return {.kept_s = keep.days * kDay_s, .most_bytes = keep.megabytes * kMegabyte_bytes};
+}
+
+/// Before anybody is known by heart.
+std::unique_ptr<MatchStore> without_forgotten_guests(std::unique_ptr<MatchStore> store,
+                                                     const KeepLimits& keep) {
+    Retention retention = retention_of(keep);
+    retention.most_bytes = 0;
+    retention.guests = true;
+    retention.entries_at_once = kForgottenAtStart;
+    value_or_throw(store->sweep(retention));
+    return store;
 }
 
 void system_random(std::span<std::uint8_t> bytes) {
@@ -94,6 +116,8 @@ struct Server::Parts {
     void stop();
 
     void measured(const CommitMeasured& one);
+    void sweep();
+    void swept(const StoreResult<Swept>& result);
     void answer(const std::string& path, HttpRespond respond);
     void answer_with_stats(std::function<HttpResponse(const LobbyStats&)> page,
                            HttpRespond respond);
@@ -110,20 +134,22 @@ struct Server::Parts {
     Network network;
     BatchedOutbox outbox;
     CommitMetrics commits;
-    bool storage_failing = false;  ///< Of the store's thread.
+    std::atomic<bool> storage_failing = false;
     ThreadedCommitter committer;
     ThreadedArchive archive;
     Lobby lobby;
     std::optional<HttpServer> http;
     std::vector<Endpoint> addresses;  ///< With the ports that were taken.
     bool stopping = false;            ///< Of the network's thread.
+    asio::steady_timer sweeps{net.context()};
 };
 
 Server::Parts::Parts(const ServerConfig& configuration, spdlog::logger& logger)
     : config(configuration),
       log(logger),
       folder(config.data),
-      store(value_or_throw(open_sqlite_store(folder.database_file()))),
+      store(without_forgotten_guests(value_or_throw(open_sqlite_store(folder.database_file())),
+                                     config.keep)),
       world(load_world(*store)),
       loop(game.context()),
       network(net.context(), config.net, loop, log),
@@ -161,6 +187,7 @@ void Server::Parts::start() {
     network.start();
     if (http) http->start();
     loop.run([](Lobby&, base::Instant) {});  // Arms the timer for what was restored.
+    sweep();
     net.start();
     game.start();
     for (const Endpoint& address : addresses) log.info("listening on {}", to_text(address));
@@ -169,13 +196,32 @@ void Server::Parts::start() {
 
 /// Logged when it changes: a full disk fails with every step of every table.
 void Server::Parts::measured(const CommitMeasured& one) {
-    commits.observe(one);
+    if (one.submissions > 0) commits.observe(one);
     const bool fails = one.error.has_value();
-    if (std::exchange(storage_failing, fails) == fails) return;
+    if (storage_failing.exchange(fails) == fails) return;
     if (fails) {
         log.error("cannot store, so nothing is played: {}", one.error->detail);
     } else {
         log.info("can store again");
+    }
+}
+
+/// Now, and again every KeepLimits::sweep_every.
+void Server::Parts::sweep() {
+    committer.sweep(retention_of(config.keep),
+                    [this](const StoreResult<Swept>& result) { swept(result); });
+    sweeps.expires_after(config.keep.sweep_every);
+    sweeps.async_wait([this](const asio::error_code& cancelled) {
+        if (!cancelled) sweep();
+    });
+}
+
+void Server::Parts::swept(const StoreResult<Swept>& result) {
+    if (!result) {
+        log.error("cannot drop old matches: {}", result.error().detail);
+    } else if (result->entries > 0) {
+        log.info("dropped the shots of {} old matches: {} journal entries", result->matches,
+                 result->entries);
     }
 }
 
@@ -200,10 +246,12 @@ void Server::Parts::answer(const std::string& path, HttpRespond respond) {
 /// The lobby's numbers belong to the game's thread, the page is made on the network's.
 void Server::Parts::answer_with_stats(std::function<HttpResponse(const LobbyStats&)> page,
                                       HttpRespond respond) {
-    loop.run([this, page = std::move(page), respond = std::move(respond)](Lobby& asked,
-                                                                          base::Instant) {
-        asio::post(net.context(), [page, respond, stats = asked.stats()] { respond(page(stats)); });
-    });
+    loop.run(
+        [this, page = std::move(page), respond = std::move(respond)](Lobby& asked, base::Instant) {
+            LobbyStats stats = asked.stats();
+            stats.storage_failing = storage_failing;
+            asio::post(net.context(), [page, respond, stats] { respond(page(stats)); });
+        });
 }
 
 void Server::Parts::stop() {

@@ -5,6 +5,7 @@
 #include "server/net/net_limits.h"
 #include "server/session/limits.h"
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -14,15 +15,24 @@
 
 namespace billiards::server {
 
+/// What is kept of matches that have ended; results are kept for ever.
+struct KeepLimits {
+    std::int64_t days = 365;         ///< Journals, and guests who never finished a match; 0: ever.
+    std::uint64_t megabytes = 4096;  ///< Of the database: the oldest journals go first; 0: any.
+    std::chrono::seconds sweep_every{3600};
+};
+
 struct ServerConfig {
     std::vector<Endpoint> listen;  ///< At least one; port 0 takes a free one.
     std::optional<Endpoint> http;  ///< Where /healthz, /readyz and /metrics are; none: nowhere.
     std::filesystem::path data;    ///< Created where it is missing.
+    KeepLimits keep;
     NetLimits net;
     LobbyLimits lobby;
 };
 
-/// Three threads of its own: network, game, store. Used by the program, by local play and by tests.
+/// Four threads of its own: network, game, store, archive. Used by the program, by local play and
+/// by tests.
 class Server {
   public:
     /// Returns when clients can connect. Throws std::runtime_error with a sentence for people where

@@ -102,6 +102,7 @@ struct MatchResult {
 struct KnownMatch {
     StoredMatch match;
     bool is_over = false;
+    std::uint64_t entries = 0;  ///< Of its journal.
     friend bool operator==(const KnownMatch&, const KnownMatch&) = default;
 };
 

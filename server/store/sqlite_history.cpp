@@ -34,8 +34,8 @@ std::vector<const char*> sources_of(const HistoryQuery& query) {
     return {kOfPlayer, kBetween};
 }
 
+/// A source names only what it needs.
 void bind_where_asked(SQLite::Statement& statement, const char* name, std::int64_t value) {
-    // tryReset-free lookup: a source names only what it needs.
     if (statement.getIndex(name) != 0) statement.bind(name, value);
 }
 

@@ -281,13 +281,16 @@ StoreResult<std::optional<KnownMatch>> SqliteStore::match_where(const char* cond
                                                                 std::uint64_t id) {
     return guarded(file_, [&]() -> StoreResult<std::optional<KnownMatch>> {
         SQLite::Statement row(database_,
-                              fmt::format("SELECT {}, ended FROM matches WHERE {} AND ended < 2 "
+                              fmt::format("SELECT {}, ended, (SELECT ifnull(max(seq), 0) FROM "
+                                          "entries WHERE match_id = id) AS entries "
+                                          "FROM matches WHERE {} AND ended < 2 "
                                           "ORDER BY id DESC LIMIT 1",
                                           kMatch, condition));
         row.bind(1, stored(id));
         if (!row.executeStep()) return std::optional<KnownMatch>();
         const bool is_over = row.getColumn("ended").getInt() != 0;
-        return std::optional(KnownMatch{read_match(row), is_over});
+        const std::uint64_t entries = read_number(row.getColumn("entries"));
+        return std::optional(KnownMatch{read_match(row), is_over, entries});
     });
 }
 

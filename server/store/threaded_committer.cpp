@@ -29,6 +29,10 @@ ThreadedCommitter::~ThreadedCommitter() {
 void ThreadedCommitter::finish() {
     if (finished_) return;
     finished_ = true;
+    asio::post(context_, [this] {
+        is_ending_ = true;
+        trial_.cancel();
+    });
     work_.reset();
     thread_.join();
 }
@@ -94,9 +98,50 @@ StoreResult<base::Done> ThreadedCommitter::commit_together(std::span<const Submi
     if (writes.empty()) return base::Done{};
     const auto start = Clock::now();
     auto result = store_->commit(writes);
-    measure_(
+    measured(
         {since(start), group.size(), result.ok() ? std::nullopt : std::optional(result.error())});
     return result;
+}
+
+void ThreadedCommitter::measured(const CommitMeasured& one) {
+    measure_(one);
+    if (one.error) try_later();
+}
+
+/// Nobody plays while nothing can be stored, so no commit would tell that it can be again.
+void ThreadedCommitter::try_later() {
+    if (is_trying_ || is_ending_) return;
+    is_trying_ = true;
+    trial_.expires_after(limits_.trial_every);
+    trial_.async_wait([this](const asio::error_code& cancelled) {
+        is_trying_ = false;
+        if (cancelled) return;
+        const auto start = Clock::now();
+        const auto tried = store_->sweep(Retention{});
+        measured({since(start), 0, tried.ok() ? std::nullopt : std::optional(tried.error())});
+    });
+}
+
+void ThreadedCommitter::sweep(const Retention& retention, SweepDone done) {
+    asio::post(context_, [this, retention, then = std::move(done)] {
+        if (std::exchange(is_sweeping_, true)) return;
+        sweep_on(retention, {}, then);
+    });
+}
+
+void ThreadedCommitter::sweep_on(const Retention& retention, Swept so_far, const SweepDone& done) {
+    const auto swept = store_->sweep(retention);
+    if (swept) {
+        so_far.entries += swept->entries;
+        so_far.matches += swept->matches;
+        so_far.is_done = swept->is_done;
+        if (!so_far.is_done && !is_ending_) {
+            asio::post(context_, [=, this] { sweep_on(retention, so_far, done); });
+            return;
+        }
+    }
+    is_sweeping_ = false;
+    done(swept ? StoreResult<Swept>(so_far) : swept);
 }
 
 void ThreadedCommitter::send(std::vector<Answer> answers) {

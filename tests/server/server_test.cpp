@@ -7,6 +7,8 @@
 
 #include <chrono>
 #include <csignal>
+#include <filesystem>
+#include <fstream>
 #include <future>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -293,6 +295,54 @@ TEST(Server, IsNotReadyWhileItCannotStoreAndSaysSoAndRecovers) {
     running.server->stop();
     EXPECT_THAT(running.log_text.str(),
                 AllOf(HasSubstr("cannot store"), HasSubstr("can store again")));
+}
+
+TEST(Server, IsReadyAgainByItselfOnceThereIsRoom) {
+    const TemporaryFolder folder;
+    const Running running(folder);
+    std::optional<FullDisk> full(std::in_place);
+    RawClient connection(running.server->port());
+    connection.send_preamble();
+    EXPECT_TRUE(connection.receive_preamble());
+    connection.send({1, client::Hello{"Ada", {}}});
+    EXPECT_TRUE(connection.receive_next<said::Refused>());
+    EXPECT_THAT(running.page("/readyz"), StartsWith("HTTP/1.1 503"));
+    full.reset();
+    std::string page;
+    const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    do page = running.page("/readyz");
+    while (!page.starts_with("HTTP/1.1 200") && std::chrono::steady_clock::now() < limit);
+    EXPECT_THAT(page, EndsWith("ready\n"));
+}
+
+TEST(Server, UndoesTheStepThatADeletedFolderWouldLoseAndSaysSo) {
+    const TemporaryFolder folder;
+    const Running running(folder);
+    Match match(running);
+    std::filesystem::rename(folder.path() / "data", folder.path() / "away");
+    match.first.say(client::Concede{});
+    for (Guest* guest : {&match.first, &match.second}) {
+        const auto refused = guest->hear<said::Refused>();
+        ASSERT_TRUE(refused);
+        EXPECT_EQ(refused->code, protocol::RefusedCode::StorageFailed);
+    }
+    EXPECT_THAT(running.page("/readyz"), StartsWith("HTTP/1.1 503"));
+    std::filesystem::rename(folder.path() / "away", folder.path() / "data");
+    match.second.say(client::Concede{});
+    EXPECT_TRUE(match.first.hear<said::MatchOver>());
+}
+
+TEST(Server, RefusesToStartOnADamagedFileAndSaysWhatToDo) {
+    const TemporaryFolder folder;
+    { const Running before(folder); }
+    const auto file = folder.path() / "data" / "billiards.db";
+    std::ofstream(file, std::ios::binary | std::ios::trunc) << std::string(8192, 'x');
+    try {
+        const Running after(folder);
+        FAIL() << "starts";
+    } catch (const std::runtime_error& error) {
+        EXPECT_THAT(error.what(), AllOf(HasSubstr(file.string()), HasSubstr("put a backup")));
+    }
 }
 
 }  // namespace

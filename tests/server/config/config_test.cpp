@@ -45,6 +45,38 @@ TEST(Config, TakesEveryFlag) {
     EXPECT_EQ(parsed->log_format, LogFormat::Json);
 }
 
+TEST(Config, KeepsAYearAndFourGibibytesWhereNothingIsSaid) {
+    const auto parsed = parse({});
+    ASSERT_TRUE(parsed.ok());
+    EXPECT_EQ(parsed->server.keep.days, 365);
+    EXPECT_EQ(parsed->server.keep.megabytes, 4096U);
+}
+
+TEST(Config, TakesWhatIsToBeKept) {
+    const auto parsed = parse({"--keep-days", "0", "--keep-mb", "100"});
+    ASSERT_TRUE(parsed.ok());
+    EXPECT_EQ(parsed->server.keep.days, 0);
+    EXPECT_EQ(parsed->server.keep.megabytes, 100U);
+    for (const auto& wrong : {std::vector{"--keep-days", "-1"}, std::vector{"--keep-mb", "much"},
+                              std::vector{"--keep-days", "99999999"}}) {
+        const auto refused = parse(wrong);
+        ASSERT_FALSE(refused.ok());
+        EXPECT_THAT(refused.error().text, HasSubstr(wrong[0]));
+    }
+}
+
+TEST(Config, BacksUpWhereThatIsAsked) {
+    EXPECT_FALSE(parse({})->to_back_up);
+    const auto parsed = parse({"backup", "--data", "d", "--out", "copy.db"});
+    ASSERT_TRUE(parsed.ok() && parsed->to_back_up);
+    EXPECT_EQ(parsed->to_back_up->data, "d");
+    EXPECT_EQ(parsed->to_back_up->file, "copy.db");
+    EXPECT_FALSE(parsed->to_export);
+    const auto nowhere = parse({"backup"});
+    ASSERT_FALSE(nowhere.ok());
+    EXPECT_THAT(nowhere.error().text, HasSubstr("--out"));
+}
+
 TEST(Config, ExportsWhereThatIsAsked) {
     EXPECT_FALSE(parse({})->to_export);
     const auto listed = parse({"export"});

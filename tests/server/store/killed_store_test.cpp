@@ -2,7 +2,7 @@
 // is there, and nothing of it half.
 #include "common/base/random.h"
 #include "server/store/sqlite_store.h"
-#include "tests/server/store/match_store_contract.h"
+#include "tests/server/store/stored_values.h"
 #include "tests/support/temporary_folder.h"
 
 #include <csignal>

@@ -4,7 +4,7 @@
 // every time.
 #pragma once
 
-#include "server/store/match_store.h"
+#include "tests/server/store/stored_values.h"
 
 #include <gtest/gtest.h>
 #include <limits>
@@ -13,47 +13,6 @@
 #include <vector>
 
 namespace billiards::server {
-
-inline protocol::Bytes bytes_of(std::string_view text) {
-    const auto* data = reinterpret_cast<const std::byte*>(text.data());
-    return {data, data + text.size()};
-}
-
-inline StoredPlayer some_player(std::uint64_t id, std::string name = "Ada#3f21") {
-    StoredPlayer player{{id}, std::move(name), {}};
-    for (std::size_t i = 0; i < player.token_hash.size(); ++i) {
-        player.token_hash[i] = static_cast<std::uint8_t>(id + 3 * i);
-    }
-    return player;
-}
-
-inline StoredMatch some_match(std::uint64_t id, std::uint32_t table = 1) {
-    return {.match = {id},
-            .table = {table},
-            .table_name = "Friday",
-            .players = {{{{1}, {2}}}},
-            .settings = bytes_of(std::string_view("race\0to 5", 9)),
-            .engine = "1"};
-}
-
-inline StoredEntry some_entry(std::uint64_t sequence, std::string_view record = "record") {
-    return {sequence,
-            {bytes_of("shot"), bytes_of("verdict"), bytes_of("layout"), bytes_of(record)}};
-}
-
-inline FinishMatch finished(std::uint64_t id,
-                            std::optional<model::Seat> winner = model::Seat::First) {
-    return {.match = {id}, .result = {.winner = winner, .racks_won = {{{3, 1}}}, .shots = 40}};
-}
-
-inline StoredTable some_table(std::uint32_t id) {
-    StoredTable table;
-    table.table = {id};
-    table.name = "Friday";
-    table.settings = bytes_of("race to 5");
-    table.owner = {1};
-    return table;
-}
 
 template <class Database>
 class MatchStoreContract : public testing::Test {
@@ -259,17 +218,18 @@ TYPED_TEST_P(MatchStoreContract, ReplacesATableAsAWholeAndRemovesIt) {
 TYPED_TEST_P(MatchStoreContract, GivesATablesNewestMatchAndWhetherItIsOver) {
     EXPECT_EQ(this->store->last_match({3}).value(), std::nullopt);
     this->commit({SaveMatch{some_match(1, 3)}, SaveMatch{some_match(2, 4)}, finished(1)});
-    EXPECT_EQ(this->store->last_match({3}).value(), (KnownMatch{some_match(1, 3), true}));
+    EXPECT_EQ(this->store->last_match({3}).value(), (KnownMatch{some_match(1, 3), true, 0}));
     this->commit({SaveMatch{some_match(7, 3)}});
-    EXPECT_EQ(this->store->last_match({3}).value(), (KnownMatch{some_match(7, 3), false}));
+    EXPECT_EQ(this->store->last_match({3}).value(), (KnownMatch{some_match(7, 3), false, 0}));
     this->commit({FinishMatch{{7}}});
-    EXPECT_EQ(this->store->last_match({3}).value(), (KnownMatch{some_match(1, 3), true}));
+    EXPECT_EQ(this->store->last_match({3}).value(), (KnownMatch{some_match(1, 3), true, 0}));
 }
 
 TYPED_TEST_P(MatchStoreContract, FindsAMatchByItsNumber) {
     this->commit({SaveMatch{some_match(1)}, SaveMatch{some_match(2)}, finished(1)});
-    EXPECT_EQ(this->store->find_match({1}).value(), (KnownMatch{some_match(1), true}));
-    EXPECT_EQ(this->store->find_match({2}).value(), (KnownMatch{some_match(2), false}));
+    this->commit({AppendEntry{{2}, some_entry(1)}, AppendEntry{{2}, some_entry(2)}});
+    EXPECT_EQ(this->store->find_match({1}).value(), (KnownMatch{some_match(1), true, 0}));
+    EXPECT_EQ(this->store->find_match({2}).value(), (KnownMatch{some_match(2), false, 2}));
     EXPECT_EQ(this->store->find_match({3}).value(), std::nullopt);
 }
 

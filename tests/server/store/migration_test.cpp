@@ -1,6 +1,6 @@
 // Holds the store against files that earlier versions of this program have made.
 #include "server/store/sqlite_store.h"
-#include "tests/server/store/match_store_contract.h"
+#include "tests/server/store/stored_values.h"
 #include "tests/support/temporary_folder.h"
 
 #include <SQLiteCpp/Database.h>

@@ -2,10 +2,12 @@
 #include "server/store/threaded_committer.h"
 
 #include "server/store/sqlite_store.h"
-#include "tests/server/store/match_store_contract.h"
+#include "tests/server/store/stored_values.h"
 #include "tests/support/temporary_folder.h"
 
 #include <asio/post.hpp>
+#include <atomic>
+#include <future>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <mutex>
@@ -18,7 +20,7 @@ using testing::Each;
 using testing::ElementsAre;
 
 /// A store that waits for permission and remembers how many writes each commit held.
-class SlowStore final : public MatchStore {
+class SlowStore : public MatchStore {
   public:
     struct Control {
         std::counting_semaphore<> started{0};
@@ -231,6 +233,82 @@ TEST(ThreadedCommitter, MakesWritesDurableInADatabase) {
     }
     const auto store = std::move(open_sqlite_store(file)).value();
     EXPECT_EQ(store->players().value().size(), 100U);
+}
+
+/// A store of memory that fails while it is told to, and sweeps in so many steps.
+class MoodyStore final : public SlowStore {
+  public:
+    struct Mood {
+        std::atomic<bool> fails = false;
+        std::atomic<int> sweeps_left = 0;
+    };
+    MoodyStore(SlowStore::Control& control, Mood& mood) : SlowStore(control), mood_(mood) {}
+
+    StoreResult<Swept> sweep(const Retention& retention) override {
+        if (mood_.fails) return StoreError{StoreErrorCode::Full, "full"};
+        if (retention.kept_s == 0) return Swept{};
+        const bool is_done = --mood_.sweeps_left == 0;
+        return Swept{.entries = 10, .matches = 1, .is_done = is_done};
+    }
+
+  private:
+    Mood& mood_;
+};
+
+TEST(ThreadedCommitter, TriesByItselfWhetherItCanStoreAgain) {
+    SlowStore::Control control;
+    control.allowed.release(1000);
+    MoodyStore::Mood mood;
+    mood.fails = true;
+    ThreadedCommitter::Limits limits;
+    limits.trial_every = std::chrono::milliseconds(1);
+    std::promise<void> fails_still;
+    std::promise<void> can_again;
+    int trials = 0;
+    ThreadedCommitter committer(
+        std::make_unique<MoodyStore>(control, mood), [](const auto&) {},
+        [&](const CommitMeasured& one) {
+            if (one.error && one.submissions == 0 && ++trials == 2) fails_still.set_value();
+            if (!one.error) can_again.set_value();
+        },
+        limits);
+    committer.submit({FinishMatch{.match = {14}}}, [](const Committed&) {});
+    fails_still.get_future().wait();
+    mood.fails = false;
+    can_again.get_future().wait();
+    committer.finish();
+}
+
+TEST(ThreadedCommitter, EndsAlthoughATrialIsStillToCome) {
+    SlowStore::Control control;
+    control.allowed.release(1000);
+    MoodyStore::Mood mood;
+    ThreadedCommitter::Limits limits;
+    limits.trial_every = std::chrono::hours(1);
+    ThreadedCommitter committer(
+        std::make_unique<MoodyStore>(control, mood), [](const auto&) {},
+        [](const CommitMeasured&) {}, limits);
+    committer.submit({FinishMatch{.match = {14}}}, [](const Committed&) {});
+    committer.finish();
+    EXPECT_EQ(control.sizes().size(), 1U);
+}
+
+TEST(ThreadedCommitter, SweepsStepByStepUntilNothingIsLeftToDrop) {
+    SlowStore::Control control;
+    MoodyStore::Mood mood;
+    mood.sweeps_left = 3;
+    std::promise<Swept> swept;
+    ThreadedCommitter committer(
+        std::make_unique<MoodyStore>(control, mood), [](const auto&) {},
+        [](const CommitMeasured&) {});
+    Retention retention;
+    retention.kept_s = 1;
+    committer.sweep(retention,
+                    [&](const StoreResult<Swept>& result) { swept.set_value(result.value()); });
+    const Swept all = swept.get_future().get();
+    EXPECT_EQ(all.entries, 30U);
+    EXPECT_EQ(all.matches, 3U);
+    EXPECT_TRUE(all.is_done);
 }
 
 }  // namespace
