@@ -4,7 +4,6 @@
 #include "common/protocol/codec_journal.h"
 #include "server/store/sqlite_store.h"
 
-#include <csignal>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -48,21 +47,8 @@ std::vector<std::string> player_command(std::uint16_t port, const std::string& n
 
 }  // namespace
 
-void Host::start() {
-    server_ = std::make_unique<Process>(std::vector<std::string>{
-        BILLIARDS_SERVER_PROGRAM, "--listen", address(port_), "--data", data().string()});
-    const auto line = server_->read_line_with("listening on 127.0.0.1:");
-    if (!line) throw std::runtime_error("the server did not start");
-    port_ = static_cast<std::uint16_t>(std::stoi(line->substr(line->rfind(':') + 1)));
-}
-
-int Host::stop() {
-    server_->signal(SIGTERM);
-    return server_->exit_code();
-}
-
-std::vector<Host::JournalledShot> Host::journalled_shots() const {
-    const auto store = server::open_sqlite_store(data() / "billiards.db");
+std::vector<JournalledShot> journalled_shots(const Host& host) {
+    const auto store = server::open_sqlite_store(host.database());
     if (!store) throw std::runtime_error(store.error().detail);
     const auto entries = whole_journal(**store, server::MatchId{1});
     if (!entries) throw std::runtime_error(entries.error().detail);

@@ -2,54 +2,32 @@
 // own, and what each of them saw.
 #pragma once
 
+#include "tests/support/host.h"
 #include "tests/support/process.h"
-#include "tests/support/temporary_folder.h"
 
 #include <cstdint>
-#include <filesystem>
 #include <map>
-#include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace billiards::e2e {
 
-/// A billiards-server on 127.0.0.1, on a port that it keeps over restarts, with a folder of its
-/// own.
-class Host {
-  public:
-    Host() { start(); }
+using support::Host;
 
-    void start();
-    /// As a power cut would; what was not durable is gone.
-    void kill_minus_nine() { server_->kill_minus_nine(); }
-    /// Asks it to stop; gives its exit code.
-    int stop();
-
-    struct JournalledShot {
-        std::string shot_id;
-        std::string record_hash;
-        friend bool operator==(const JournalledShot&, const JournalledShot&) = default;
-    };
-    /// The shots of the first match, as its journal has them; the server must have stopped.
-    std::vector<JournalledShot> journalled_shots() const;
-
-    std::uint16_t port() const { return port_; }
-    std::filesystem::path data() const { return folder_.path() / "data"; }
-
-  private:
-    support::TemporaryFolder folder_;
-    std::unique_ptr<support::Process> server_;
-    std::uint16_t port_ = 0;
+struct JournalledShot {
+    std::string shot_id;
+    std::string record_hash;
+    friend bool operator==(const JournalledShot&, const JournalledShot&) = default;
 };
+/// The shots of a host's first match, as its journal has them; the server must have stopped.
+std::vector<JournalledShot> journalled_shots(const Host& host);
 
 /// What one client told of a match.
 struct Account {
-    std::map<int, std::string> shots;  ///< Digest of each shot it saw, by the shot's number.
-    std::map<int, Host::JournalledShot> told;  ///< What should be in the journal, likewise.
-    std::string result;                        ///< "Ada 2-1, 34 shots"
-    std::string digest;  ///< Over everything; of use where nothing was missed.
+    std::map<int, std::string> shots;    ///< Digest of each shot it saw, by the shot's number.
+    std::map<int, JournalledShot> told;  ///< What should be in the journal, likewise.
+    std::string result;                  ///< "Ada 2-1, 34 shots"
+    std::string digest;                  ///< Over everything; of use where nothing was missed.
     int missed = 0;
     int links_lost = 0;
     std::string failure;

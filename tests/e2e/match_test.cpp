@@ -62,7 +62,7 @@ TEST(MatchOverTcp, NoAcknowledgedShotIsMissingAfterTheServerIsKilled) {
     const std::vector<Account> accounts = match.finish();
     expect_one_match(accounts);
     EXPECT_EQ(host.stop(), 0);
-    const std::vector<Host::JournalledShot> journal = host.journalled_shots();
+    const std::vector<JournalledShot> journal = journalled_shots(host);
     for (const Account& account : accounts) {
         EXPECT_GE(account.links_lost, 1);
         for (const auto& [number, shot] : account.told) {
