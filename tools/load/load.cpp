@@ -28,8 +28,23 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr base::Duration kGatherTick = std::chrono::milliseconds(10);
+constexpr base::Duration kUntilTheyStall = std::chrono::seconds(2);
 constexpr std::size_t kOtherDescriptors = 32;
 constexpr int kLongRace = match::kMaxRaceTo;  ///< So that no match ends while it measures.
+
+/// What the stalled ones changed for the others: the quotient of each quantile.
+void add_comparison(ordered_json& with, const ordered_json& without, int stalled) {
+    with["stalled"] = stalled;
+    for (const char* name : {"shot_to_broadcast_ms", "server_part_ms"}) {
+        with[std::string(name) + "_without_stalled"] = without[name];
+        if (with[name].is_null() || without[name].is_null()) continue;
+        for (const char* quantile : {"p50", "p99"}) {
+            const double divisor = without[name][quantile];
+            if (divisor <= 0.0) continue;
+            with["ratio"][name][quantile] = with[name][quantile].get<double>() / divisor;
+        }
+    }
+}
 
 class Load {
   public:
@@ -54,6 +69,10 @@ class Load {
     LoadSessionOptions session();
     void came_in_place();
     void measure();
+    void measure_until_end();
+    void end();
+    void begin_to_stall();
+    void watch_return();
     std::optional<ProcessStats> server_now() const;
     ordered_json report() const;
 
@@ -63,6 +82,7 @@ class Load {
     asio::signal_set signals_{io_, SIGINT, SIGTERM};
     asio::steady_timer gather_timer_{io_};
     asio::steady_timer end_timer_{io_};
+    asio::steady_timer return_timer_{io_};
     Recorder recorder_;
     std::vector<Table> tables_;
     std::deque<std::function<void()>> to_start_;  ///< Sessions that wait for their turn to connect.
@@ -73,6 +93,7 @@ class Load {
     std::optional<base::Instant> measuring_since_;
     std::optional<ProcessStats> server_at_start_;
     std::optional<ProcessStats> server_when_in_place_;
+    std::optional<ordered_json> without_stalled_;  ///< The first of two measurements.
 };
 
 Load::Load(const LoadOptions& options, std::size_t descriptors)
@@ -96,11 +117,12 @@ int Load::sessions_wanted() const {
 void Load::fit_to(std::size_t descriptors) {
     const auto room = static_cast<int>(std::min<std::size_t>(
         descriptors > kOtherDescriptors ? descriptors - kOtherDescriptors : 1, 1'000'000));
-    const int wanted = options_.tables * players_per_table() + options_.spectators;
+    const int stalled = options_.mode == LoadMode::Stall ? options_.stalled : 0;
+    const int wanted = options_.tables * players_per_table() + options_.spectators + stalled;
     if (wanted <= room) return;
     options_.tables = std::clamp(room / players_per_table(), 1, options_.tables);
     options_.spectators =
-        std::clamp(room - options_.tables * players_per_table(), 0, options_.spectators);
+        std::clamp(room - stalled - options_.tables * players_per_table(), 0, options_.spectators);
     std::cerr << fmt::format(
         "billiards-load: {} open files are allowed: {} tables and {} spectators instead of what "
         "was asked\n",
@@ -211,10 +233,55 @@ void Load::measure() {
     if (measuring_since_) return;
     measuring_since_ = client::local_now();
     server_when_in_place_ = server_now();
+    if (options_.mode == LoadMode::Reconnect) {
+        recorder_.await_loss();
+        watch_return();
+    }
+    measure_until_end();
+    if (options_.in_place) options_.in_place();
+}
+
+void Load::measure_until_end() {
     recorder_.start();
     end_timer_.expires_after(base::duration_of(options_.seconds));
     end_timer_.async_wait([this](const asio::error_code& error) {
-        if (!error) io_.stop();
+        if (!error) end();
+    });
+}
+
+void Load::end() {
+    if (options_.mode != LoadMode::Stall || without_stalled_) return io_.stop();
+    without_stalled_ = recorder_.report();
+    begin_to_stall();
+}
+
+/// The second measurement begins once they all stall, or after as long as they may take.
+void Load::begin_to_stall() {
+    recorder_ = {};
+    for (int i = 0; i < options_.stalled; ++i) {
+        const Table& table = tables_[static_cast<std::size_t>(i % options_.tables)];
+        if (!table.id) continue;
+        LoadSessionOptions stalled = spectator(*table.id);
+        stalled.stalls = true;
+        to_start_.emplace_back([this, stalled] { start(stalled, nullptr); });
+    }
+    end_timer_.expires_after(base::duration_of(options_.stalled / 1000.0) + kUntilTheyStall);
+    end_timer_.async_wait([this](const asio::error_code& error) {
+        if (!error) measure_until_end();
+    });
+}
+
+/// Ends early once everybody who was thrown out is back.
+void Load::watch_return() {
+    return_timer_.expires_after(kGatherTick);
+    return_timer_.async_wait([this](const asio::error_code& error) {
+        if (error) return;
+        const std::size_t lost = recorder_.places_lost();
+        if (lost > 0 && std::all_of(sessions_.begin(), sessions_.end(),
+                                    [](const auto& session) { return session->is_here(); })) {
+            return io_.stop();
+        }
+        watch_return();
     });
 }
 
@@ -227,16 +294,20 @@ ordered_json Load::report() const {
     const std::optional<ProcessStats> server = server_now();
     const std::optional<ProcessStats> own = read_process(::getpid());
     const base::Instant since = measuring_since_.value_or(now);
-    ordered_json json{{"mode", name_of(options_.mode)},
-                      {"seed", options_.seed},
-                      {"tables", options_.tables},
-                      {"spectators", options_.spectators},
-                      {"spectators_asked", spectators_asked_},
-                      {"connections", in_place_},
-                      {"connections_wanted", sessions_wanted()},
-                      {"gathered_in_s", base::seconds(since - started_)},
-                      {"measured_s", base::seconds(now - since)}};
+    ordered_json json{
+        {"mode", name_of(options_.mode)},
+        {"seed", options_.seed},
+        {"tables", options_.tables},
+        {"spectators", options_.spectators},
+        {"spectators_asked", spectators_asked_},
+        {"connections", in_place_},
+        {"connections_wanted", sessions_wanted() + (without_stalled_ ? options_.stalled : 0)},
+        {"gathered_in_s", base::seconds(since - started_)},
+        {"measured_s", base::seconds(now - since)}};
     json.update(recorder_.report());
+    if (without_stalled_) add_comparison(json, *without_stalled_, options_.stalled);
+    json["gone"] = std::count_if(sessions_.begin(), sessions_.end(),
+                                 [](const auto& session) { return !session->is_here(); });
     const auto or_null = [](const std::optional<ProcessStats>& stats, double ProcessStats::*field) {
         return stats ? ordered_json((*stats).*field) : ordered_json(nullptr);
     };

@@ -13,6 +13,9 @@ namespace {
 constexpr base::Duration kShortestAbsence = std::chrono::milliseconds(10);
 constexpr base::Duration kLongestAbsence = std::chrono::milliseconds(500);
 
+/// Within what a session may ask at once.
+constexpr int kListsOfAStalledOne = 25;
+
 base::Duration spread(base::Random& random, base::Duration from, base::Duration to) {
     return base::duration_of(random.uniform(base::seconds(from), base::seconds(to)));
 }
@@ -31,7 +34,7 @@ LoadSession::LoadSession(asio::io_context& io, LoadSessionOptions options, Recor
       drop_(io),
       act_(io) {
     if (options_.player) {
-        player_.emplace(*options_.player, PlayerEvents{},
+        player_.emplace(*options_.player, options_.events,
                         [this](protocol::ClientMessageBody body) { return send(std::move(body)); });
     }
     connect();
@@ -39,7 +42,10 @@ LoadSession::LoadSession(asio::io_context& io, LoadSessionOptions options, Recor
 
 void LoadSession::connect() {
     client::Link::Callbacks callbacks;
-    callbacks.connected = [this] { link_->send({.request_id = 0, .body = reconnect_.hello()}); };
+    callbacks.connected = [this] {
+        recorder_.connected(client::local_now());
+        link_->send({.request_id = 0, .body = reconnect_.hello()});
+    };
     callbacks.message = [this](protocol::ServerMessage&& message, std::size_t frame_bytes) {
         received(message, frame_bytes);
     };
@@ -53,6 +59,7 @@ std::uint32_t LoadSession::send(protocol::ClientMessageBody body) {
     if (const auto* take = std::get_if<protocol::client::TakeShot>(&message.body)) {
         link_->send(message, [this, shot_id = take->shot_id] {
             recorder_.shot_sent(shot_id, client::local_now());
+            if (options_.shot_sent) options_.shot_sent();
         });
     } else {
         link_->send(message);
@@ -68,9 +75,11 @@ void LoadSession::received(const protocol::ServerMessage& message, std::size_t f
     } else if (const auto* welcome = std::get_if<protocol::server::Welcome>(&message)) {
         on_welcome(*welcome, now);
     } else if (const auto* snapshot = std::get_if<protocol::server::TableSnapshot>(&message)) {
-        on_place(snapshot->row.table);
+        if (is_in_place_ && !is_here_) recorder_.resumed(Recorder::Way::Snapshot);
+        on_place(snapshot->row.table, now);
     } else if (const auto* resumed = std::get_if<protocol::server::Resumed>(&message)) {
-        on_place(resumed->table);
+        recorder_.resumed(Recorder::Way::Ring);
+        on_place(resumed->table, now);
     } else if (const auto* refused = std::get_if<protocol::server::Refused>(&message)) {
         recorder_.error("refused: " + refused->detail);
     }
@@ -78,14 +87,14 @@ void LoadSession::received(const protocol::ServerMessage& message, std::size_t f
     if (!player_ || player_->is_finished()) return;
     player_->received(message, now);
     player_->advance_time(now);
-    if (!player_->failure().empty()) recorder_.error(player_->failure());
+    if (!player_->failure().empty()) give_up(player_->failure());
     wait_for_player();
 }
 
 void LoadSession::on_welcome(const protocol::server::Welcome& welcome, base::Instant now) {
     if (gone_since_) recorder_.reconnected(now - *gone_since_);
-    gone_since_.reset();
     is_welcome_ = true;
+    if (options_.stalls) return stall(now);
     link_->keep_alive();
     if (!player_ && !welcome.table) {
         send(protocol::client::Join{.table = options_.table, .role = protocol::Role::Spectator});
@@ -93,8 +102,18 @@ void LoadSession::on_welcome(const protocol::server::Welcome& welcome, base::Ins
     drop_later();
 }
 
-void LoadSession::on_place(protocol::TableId table) {
+void LoadSession::stall(base::Instant now) {
+    link_->pause_reading();
+    for (int i = 0; i < kListsOfAStalledOne; ++i) send(protocol::client::ListTables{});
+    send(protocol::client::Join{.table = options_.table, .role = protocol::Role::Spectator});
+    on_place(options_.table, now);
+}
+
+void LoadSession::on_place(protocol::TableId table, base::Instant now) {
     if (options_.stops_reading_when_in_place) link_->pause_reading();
+    if (gone_since_) recorder_.returned(now - *gone_since_, now);
+    gone_since_.reset();
+    is_here_ = true;
     if (is_in_place_) return;
     is_in_place_ = true;
     in_place_(table);
@@ -105,31 +124,48 @@ void LoadSession::lost(const client::Lost& lost) {
     drop_.cancel();
     recorder_.error("link lost: " + lost.reason);
     const auto delay = reconnect_.lost(lost.code, client::local_now());
-    if (delay) connect_after(*delay);
+    if (delay) return connect_after(*delay);
+    if (failure_.empty()) failure_ = lost.reason;
+}
+
+void LoadSession::give_up(const std::string& why) {
+    failure_ = why;
+    recorder_.error(why);
 }
 
 void LoadSession::gone() {
-    if (is_welcome_) gone_since_ = client::local_now();
+    if (is_here_) {
+        gone_since_ = client::local_now();
+        recorder_.lost_place(*gone_since_);
+    }
+    if (is_welcome_) ++links_lost_;
     is_welcome_ = false;
+    is_here_ = false;
     if (player_) player_->link_lost();
 }
 
-void LoadSession::connect_after(base::Duration delay) {
-    retry_.expires_after(delay);
-    retry_.async_wait([this](const asio::error_code& error) {
-        if (!error) connect();
+void LoadSession::call_after(asio::steady_timer& timer, base::Duration delay,
+                             void (LoadSession::*what)()) {
+    timer.expires_after(delay);
+    timer.async_wait([this, what, alive = std::weak_ptr(alive_)](const asio::error_code& error) {
+        if (!error && !alive.expired()) (this->*what)();
     });
+}
+
+void LoadSession::connect_after(base::Duration delay) {
+    call_after(retry_, delay, &LoadSession::connect);
 }
 
 void LoadSession::drop_later() {
     if (options_.drops_after == base::Duration::zero()) return;
-    drop_.expires_after(spread(random_, options_.drops_after / 4, options_.drops_after));
-    drop_.async_wait([this](const asio::error_code& error) {
-        if (error) return;
-        link_.reset();
-        gone();
-        connect_after(spread(random_, kShortestAbsence, kLongestAbsence));
-    });
+    call_after(drop_, spread(random_, options_.drops_after / 4, options_.drops_after),
+               &LoadSession::drop);
+}
+
+void LoadSession::drop() {
+    link_.reset();
+    gone();
+    connect_after(spread(random_, kShortestAbsence, kLongestAbsence));
 }
 
 void LoadSession::wait_for_player() {
@@ -138,12 +174,12 @@ void LoadSession::wait_for_player() {
         act_.cancel();
         return;
     }
-    act_.expires_after(*next - client::local_now());
-    act_.async_wait([this](const asio::error_code& error) {
-        if (error) return;
-        player_->advance_time(client::local_now());
-        wait_for_player();
-    });
+    call_after(act_, *next - client::local_now(), &LoadSession::act);
+}
+
+void LoadSession::act() {
+    player_->advance_time(client::local_now());
+    wait_for_player();
 }
 
 }  // namespace billiards::tools

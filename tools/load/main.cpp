@@ -8,10 +8,11 @@
 
 int main(int argc, char** argv) {
     try {
-        const auto parsed = billiards::tools::parse_load_options(argc, argv);
+        auto parsed = billiards::tools::parse_load_options(argc, argv);
         if (const int* exit_code = std::get_if<int>(&parsed)) return *exit_code;
-        const auto report =
-            billiards::tools::make_load(std::get<billiards::tools::LoadOptions>(parsed));
+        auto& options = std::get<billiards::tools::LoadOptions>(parsed);
+        options.in_place = [] { std::cerr << "billiards-load: in place" << std::endl; };
+        const auto report = billiards::tools::make_load(options);
         std::cout << report.dump() << std::endl;
         return 0;
     } catch (const std::exception& error) {

@@ -12,8 +12,10 @@ namespace billiards::tools {
 namespace {
 
 const std::map<std::string, LoadMode> kModes{
-    {"play", LoadMode::Play}, {"idle", LoadMode::Idle},       {"spectate", LoadMode::Spectate},
-    {"slow", LoadMode::Slow}, {"garbage", LoadMode::Garbage}, {"flap", LoadMode::Flap}};
+    {"play", LoadMode::Play},           {"idle", LoadMode::Idle},
+    {"spectate", LoadMode::Spectate},   {"slow", LoadMode::Slow},
+    {"garbage", LoadMode::Garbage},     {"flap", LoadMode::Flap},
+    {"reconnect", LoadMode::Reconnect}, {"stall", LoadMode::Stall}};
 
 std::string check_address(const std::string& text) {
     return client::parse_address(text) ? "" : "is no HOST:PORT: " + text;
@@ -29,11 +31,14 @@ struct Texts {
 void add_options(CLI::App& app, LoadOptions& options, Texts& texts) {
     app.add_option("--server", texts.server, "HOST:PORT")->required()->check(check_address);
     app.add_option("--mode", texts.mode, "What the clients do")
-        ->option_text("play|idle|spectate|slow|garbage|flap")
+        ->option_text("play|idle|spectate|slow|garbage|flap|reconnect|stall")
         ->check(CLI::IsMember(&kModes));
     app.add_option("--tables", options.tables)->check(CLI::Range(1, 10'000))->capture_default_str();
     app.add_option("--spectators", options.spectators, "Of all tables together")
         ->check(CLI::Range(0, 100'000))
+        ->capture_default_str();
+    app.add_option("--stalled", options.stalled, "How many read nothing, in mode stall")
+        ->check(CLI::Range(1, 10'000))
         ->capture_default_str();
     app.add_option("--seconds", options.seconds, "To measure, once everybody is in place")
         ->check(CLI::Range(0.1, 86'400.0))

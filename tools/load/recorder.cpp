@@ -50,6 +50,29 @@ void Recorder::shot_received(const protocol::server::ShotPlayed& shot, std::size
     bytes_per_shot_.add(static_cast<double>(frame_bytes));
 }
 
+void Recorder::await_loss() {
+    awaits_loss_ = true;
+    first_lost_.reset();
+    first_connected_.reset();
+    places_lost_ = 0;
+    return_s_ = {};
+    return_since_up_s_ = {};
+}
+
+void Recorder::connected(base::Instant now) {
+    if (first_lost_ && !first_connected_) first_connected_ = now;
+}
+
+void Recorder::lost_place(base::Instant now) {
+    if (awaits_loss_ && !first_lost_) first_lost_ = now;
+    ++places_lost_;
+}
+
+void Recorder::returned(base::Duration after, base::Instant now) {
+    return_s_.add(base::seconds(after));
+    if (first_connected_) return_since_up_s_.add(base::seconds(now - *first_connected_));
+}
+
 nlohmann::ordered_json Recorder::report() const {
     std::uint64_t errors = 0;
     for (const auto& [what, count] : errors_) errors += count;
@@ -66,6 +89,12 @@ nlohmann::ordered_json Recorder::report() const {
             {"receipts", shot_to_broadcast_ms_.size()},
             {"reconnects", reconnect_s_.size()},
             {"reconnect_s", reconnect_s_.summary()},
+            {"places_lost", places_lost_},
+            {"places_taken_again", return_s_.size()},
+            {"place_again_s", return_s_.summary()},
+            {"place_again_since_up_s", return_since_up_s_.summary()},
+            {"resumed_by_ring", by_ring_},
+            {"resumed_by_snapshot", by_snapshot_},
             {"nonsense_sent", nonsense_}};
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -42,6 +43,21 @@ class Recorder {
     void error(const std::string& what) { ++errors_[what]; }
     /// A lost connection was made again and welcomed, this long after it was lost.
     void reconnected(base::Duration after) { reconnect_s_.add(base::seconds(after)); }
+    /// How a server brought somebody who came back up to date: with what they had missed, or with
+    /// the whole table.
+    enum class Way : std::uint8_t { Ring, Snapshot };
+    void resumed(Way way) { ++(way == Way::Ring ? by_ring_ : by_snapshot_); }
+    /// From here on what is lost and made again counts as one great loss: a server that went down.
+    void await_loss();
+    /// A link was made, before anything was said on it.
+    void connected(base::Instant now);
+    void lost_place(base::Instant now);
+    /// A lost place was taken again, this long after it was lost.
+    void returned(base::Duration after, base::Instant now);
+    std::size_t places_lost() const { return places_lost_; }
+    std::size_t places_returned() const { return return_s_.size(); }
+    std::uint64_t resumed_by_ring() const { return by_ring_; }
+    std::uint64_t resumed_by_snapshot() const { return by_snapshot_; }
     void nonsense_sent() { ++nonsense_; }
 
     /// Everything but what is known of the server's process.
@@ -62,6 +78,14 @@ class Recorder {
     Samples bytes_per_shot_;
     std::map<std::string, std::uint64_t> errors_;
     Samples reconnect_s_;
+    bool awaits_loss_ = false;
+    std::optional<base::Instant> first_lost_;
+    std::optional<base::Instant> first_connected_;  ///< After that.
+    std::size_t places_lost_ = 0;
+    Samples return_s_;           ///< Since the own place was lost.
+    Samples return_since_up_s_;  ///< Since the first link was made again.
+    std::uint64_t by_ring_ = 0;
+    std::uint64_t by_snapshot_ = 0;
     std::uint64_t nonsense_ = 0;
 };
 

@@ -85,6 +85,26 @@ TEST(Recorder, CountsErrorsByNameReconnectsAndWhatWasNotAnswered) {
     EXPECT_EQ(report["reconnect_s"]["max"], 1.5);
 }
 
+TEST(Recorder, TellsHowSoonPlacesWereTakenAgainOnceTheServerWasUp) {
+    Recorder recorder;
+    recorder.connected(kNow);
+    recorder.lost_place(kNow);
+    recorder.returned(milliseconds(100), kNow + milliseconds(100));
+    recorder.await_loss();
+    recorder.lost_place(kNow + milliseconds(1000));
+    recorder.connected(kNow + milliseconds(1500));
+    recorder.connected(kNow + milliseconds(1600));
+    recorder.resumed(Recorder::Way::Ring);
+    recorder.returned(milliseconds(700), kNow + milliseconds(1700));
+    const auto report = recorder.report();
+    EXPECT_EQ(report["places_lost"], 1);
+    EXPECT_EQ(report["places_taken_again"], 1);
+    EXPECT_EQ(report["place_again_s"]["max"], 0.7);
+    EXPECT_EQ(report["place_again_since_up_s"]["max"], 0.2);
+    EXPECT_EQ(report["resumed_by_ring"], 1);
+    EXPECT_EQ(report["resumed_by_snapshot"], 0);
+}
+
 TEST(ProcessStats, TellOfThisProcess) {
     const auto own = read_process(::getpid());
     ASSERT_TRUE(own);

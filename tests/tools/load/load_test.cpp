@@ -93,6 +93,15 @@ TEST(Load, WhoeverDropsComesBack) {
     EXPECT_TRUE(report["server_cpu_s"].is_null());
 }
 
+TEST(Load, WhoReadsNothingIsComparedWithNobodyOfThatKind) {
+    const TestServer server;
+    const ordered_json report = load_on(server, LoadMode::Stall);
+    expect_a_clean_match(report);
+    EXPECT_EQ(report["stalled"], 1);
+    EXPECT_GT(report["shot_to_broadcast_ms_without_stalled"]["p99"], 0.0);
+    EXPECT_GT(report["ratio"]["shot_to_broadcast_ms"]["p99"], 0.0);
+}
+
 TEST(Load, AServerThatIsNotThereIsAnError) {
     std::optional<client::ServerAddress> address;
     {

@@ -26,7 +26,8 @@ TEST(LoadOptions, AreReadAndHaveDefaults) {
 }
 
 TEST(LoadOptions, EveryModeHasItsName) {
-    for (const char* mode : {"play", "idle", "spectate", "slow", "garbage", "flap"}) {
+    for (const char* mode :
+         {"play", "idle", "spectate", "slow", "garbage", "flap", "reconnect", "stall"}) {
         const auto options = std::get<LoadOptions>(parsed({"--server", "here:1", "--mode", mode}));
         EXPECT_EQ(name_of(options.mode), mode);
     }
