@@ -43,15 +43,13 @@ T value_or_throw(StoreResult<T> result) {
     return std::move(result).value();
 }
 
-StoredWorld load_world(MatchStore& store) {
-    StoredWorld world;
-    world.players = value_or_throw(store.players());
-    world.highest = value_or_throw(store.highest_ids());
-    for (StoredMatch& match : value_or_throw(store.live_matches())) {
-        auto entries = value_or_throw(whole_journal(store, match.match));
-        world.matches.push_back({std::move(match), std::move(entries)});
-    }
-    return world;
+/// The store must outlive it.
+StoredWorld world_of(MatchStore& store) {
+    return {.players = value_or_throw(store.players()),
+            .tables = value_or_throw(store.tables()),
+            .highest = value_or_throw(store.highest_ids()),
+            .last_match = [&store](protocol::TableId table) { return store.last_match(table); },
+            .refold = [&store](const StoredMatch& match) { return refold_journal(match, store); }};
 }
 
 Retention retention_of(const KeepLimits& keep) {
@@ -126,7 +124,6 @@ struct Server::Parts {
     spdlog::logger& log;
     DataFolder folder;
     std::unique_ptr<MatchStore> store;  ///< Until the committer has it.
-    StoredWorld world;                  ///< Until the lobby has it.
 
     ContextThread net;
     ContextThread game;
@@ -150,7 +147,6 @@ Server::Parts::Parts(const ServerConfig& configuration, spdlog::logger& logger)
       folder(config.data),
       store(without_forgotten_guests(value_or_throw(open_sqlite_store(folder.database_file())),
                                      config.keep)),
-      world(load_world(*store)),
       loop(game.context()),
       network(net.context(), config.net, loop, log),
       outbox(net.context(), network),
@@ -176,11 +172,12 @@ void Server::Parts::listen() {
 
 /// Before the game's thread runs.
 void Server::Parts::restore() {
-    const std::size_t found = world.matches.size();
-    const auto left_alone = lobby.restore(loop.now(), std::exchange(world, {}));
+    const auto reader = value_or_throw(open_sqlite_reader(folder.database_file()));
+    const StoredWorld world = world_of(*reader);
+    const auto left_alone = lobby.restore(loop.now(), world);
     for (const std::string& reason : left_alone) log.error("not restored: {}", reason);
-    log.info("restored {} of {} matches from {}", found - left_alone.size(), found,
-             folder.path().string());
+    log.info("restored {} of {} tables from {}", world.tables.size() - left_alone.size(),
+             world.tables.size(), folder.path().string());
 }
 
 void Server::Parts::start() {

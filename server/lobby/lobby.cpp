@@ -20,11 +20,9 @@ std::vector<std::string> Lobby::restore(base::Instant now, const StoredWorld& st
     world_->around.last_match = stored.highest.match;
     for (const StoredPlayer& player : stored.players) world_->players.add(player);
     std::vector<std::string> left_alone;
-    for (const StoredWorld::LiveMatch& live : stored.matches) {
-        const auto restored = world_->restore(now, live);
-        if (restored) continue;
-        left_alone.push_back("match " + std::to_string(live.match.match.value) + ": " +
-                             restored.error());
+    for (const StoredTable& table : stored.tables) {
+        const auto restored = world_->restore(now, stored, table);
+        if (!restored) left_alone.push_back(restored.error());
     }
     return left_alone;
 }

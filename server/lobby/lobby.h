@@ -9,8 +9,10 @@
 #include "server/store/archive.h"
 #include "server/store/committer.h"
 #include "server/table/outbox.h"
+#include "server/table/refold.h"
 #include "server/table/surroundings.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,15 +20,16 @@
 
 namespace billiards::server {
 
-/// What was durable when the server started.
+/// What was durable when the server started. Matches are read one by one, when their table is
+/// restored: no more than one is in memory twice.
 struct StoredWorld {
     std::vector<StoredPlayer> players;
-    struct LiveMatch {
-        StoredMatch match;
-        std::vector<StoredEntry> entries;
-    };
-    std::vector<LiveMatch> matches;
+    std::vector<StoredTable> tables;
     MatchStore::HighestIds highest;
+    /// The newest match that is kept of those played at the table.
+    std::function<StoreResult<std::optional<KnownMatch>>(protocol::TableId)> last_match;
+    /// As it stands after its journal; the error says what is wrong with that.
+    std::function<base::Result<Refolded, std::string>(const StoredMatch&)> refold;
 };
 
 /// Lives on the game thread alone. Every call takes the time; nothing in it waits.
@@ -36,9 +39,10 @@ class Lobby {
           RandomBytes random);
     ~Lobby();
 
-    /// Once, before anything else: players are known again, every live match waits for its
-    /// players with the clock given back in full. A match whose journal does not refold is left
-    /// alone, and its reason returned.
+    /// Once, before anything else: players are known again, and every table stands, with whoever
+    /// sat there away. A match that was played goes on with the clock given back in full; one that
+    /// is over is shown, for those who have not seen its end. A table whose running match does not
+    /// refold is left alone, as it is stored, and the reason returned.
     std::vector<std::string> restore(base::Instant now, const StoredWorld& world);
 
     void connected(base::Instant now, SessionId session);

@@ -57,8 +57,10 @@ struct Lobby::World {
     void announce(const protocol::server::Notice& notice);
 
     // restore.cpp: what was durable when the server started; the error says why it stays away
-    base::Result<base::Done, std::string> restore(base::Instant now,
-                                                  const StoredWorld::LiveMatch& live);
+    base::Result<base::Done, std::string> restore(base::Instant now, const StoredWorld& world,
+                                                  const StoredTable& stored);
+    base::Result<Table::Sitters, std::string> sitters_of(
+        const StoredTable& stored, const std::optional<Table::Played>& played);
 
     // greeting.cpp: who a session is
     void on(const Heard& heard, const protocol::client::Hello& hello);

@@ -40,9 +40,18 @@ class Table {
     Table(const Table&) = delete;
     Table& operator=(const Table&) = delete;
 
-    /// The match and the players of before a restart, who are away; their clock is full.
-    void restore(base::Instant now, const StoredMatch& stored, const Refolded& refolded,
-                 const model::PerSeat<std::string>& names);
+    struct Sitter {
+        PlayerId player;
+        std::string name;
+    };
+    using Sitters = model::PerSeat<std::optional<Sitter>>;
+    struct Played {
+        StoredMatch match;
+        Refolded refolded;
+    };
+    /// As before a restart, just opened: those who sat here are away, the clock of the match is
+    /// full.
+    void restore(base::Instant now, const Sitters& sitters, const std::optional<Played>& played);
 
     /// The newcomer gets a snapshot, the others the change. The error says what is full.
     base::Result<base::Done, protocol::RefusedCode> join(base::Instant now, const Visitor& visitor,
@@ -176,6 +185,7 @@ class Table {
     void submit(base::Instant now, Pending pending, std::vector<Write> writes);
     void submit_and_forget(std::vector<Write> writes);
     void settle(const Committed& committed);
+    void restore_match(base::Instant now, const Played& played);
     void happen(base::Instant now, Start start);
     void happen(base::Instant now, Step step, const Committed& committed);
     void go_on(base::Instant now, const Step& step, model::TurnNumber before);

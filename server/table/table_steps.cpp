@@ -196,24 +196,32 @@ void Table::submit_and_forget(std::vector<Write> writes) {
     });
 }
 
-void Table::restore(base::Instant now, const StoredMatch& stored, const Refolded& refolded,
-                    const model::PerSeat<std::string>& names) {
-    match_ = Match{.id = stored.match,
-                   .players = stored.players,
+void Table::restore(base::Instant now, const Sitters& sitters,
+                    const std::optional<Played>& played) {
+    for (const Seat seat : kSeats) {
+        if (sitters[seat]) seating_.reserve(seat, sitters[seat]->player, sitters[seat]->name);
+    }
+    if (played) restore_match(now, *played);
+    count_absence(now);
+    saved_ = stored();
+}
+
+void Table::restore_match(base::Instant now, const Played& played) {
+    const Refolded& refolded = played.refolded;
+    match_ = Match{.id = played.match.match,
+                   .players = played.match.players,
                    .state = refolded.state,
                    .entries = refolded.entries};
     sequence_ = refolded.entries;  // Above that of every shot which may be shown again.
     log_.skip_to(sequence_);
-    clock_.open(now, time_allowed());
+    if (is_playing()) clock_.open(now, time_allowed());
     for (const Seat seat : kSeats) {
-        seating_.reserve(seat, stored.players[seat], names[seat]);
         if (!refolded.last_shots[seat]) continue;
-        protocol::server::ShotPlayed played = *refolded.last_shots[seat];
-        played.struck_us = wire_time(now - base::duration_of(played.record.duration_s));
-        played.turn = clock_.view();
-        match_->last_shots[seat] = {played.shot_id, protocol::encode(played)};
+        protocol::server::ShotPlayed shot = *refolded.last_shots[seat];
+        shot.struck_us = wire_time(now - base::duration_of(shot.record.duration_s));
+        shot.turn = clock_.view();
+        match_->last_shots[seat] = {shot.shot_id, protocol::encode(shot)};
     }
-    saved_ = this->stored();
 }
 
 std::optional<base::Duration> Table::time_allowed() const {

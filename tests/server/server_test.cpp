@@ -130,7 +130,7 @@ TEST(Server, BringsAMatchAndItsPlayersBackAfterARestart) {
         Running running(folder);
         before.emplace(running);
         running.server->stop();
-        EXPECT_THAT(running.log_text.str(), HasSubstr("restored 0 of 0 matches"));
+        EXPECT_THAT(running.log_text.str(), HasSubstr("restored 0 of 0 tables"));
     }
     Running restarted(folder);
     Guest back(restarted, "Ada", before->first.welcome.token);
@@ -140,7 +140,7 @@ TEST(Server, BringsAMatchAndItsPlayersBackAfterARestart) {
     EXPECT_TRUE(snapshot->match);
     EXPECT_EQ(snapshot->row.name, "Friday");
     restarted.server->stop();
-    EXPECT_THAT(restarted.log_text.str(), HasSubstr("restored 1 of 1 matches"));
+    EXPECT_THAT(restarted.log_text.str(), HasSubstr("restored 1 of 1 tables"));
 }
 
 TEST(Server, AnswersBytesThatAreNoMessageAndGoesOn) {

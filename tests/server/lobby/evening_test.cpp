@@ -145,7 +145,8 @@ class EveningTest : public MatchTest, public testing::WithParamInterface<std::ui
     /// A newcomer sees at each table exactly what the disk has of it.
     void expect_that_what_is_shown_is_durable() {
         committer.complete_all();
-        for (const StoredWorld::LiveMatch& live : committer.durable().matches) {
+        const DurableWorld world = committer.durable();
+        for (const DurableMatch& live : world.matches) {
             const auto refolded = refold_journal(live.match, live.entries);
             ASSERT_TRUE(refolded.ok()) << refolded.error();
             match::MatchState stored = refolded->state;

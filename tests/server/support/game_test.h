@@ -47,9 +47,9 @@ class GameTest : public testing::Test {
         lobby.reset();
         committer.kill();
         archive.kill();
-        const StoredWorld world = committer.durable();
+        const DurableWorld world = committer.durable();
         start();
-        left_alone = lobby->restore(now, world);
+        left_alone = lobby->restore(now, world.stored());
     }
 
     SessionId connect() {

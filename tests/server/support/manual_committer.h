@@ -18,6 +18,54 @@
 
 namespace billiards::server {
 
+struct DurableMatch {
+    StoredMatch match;
+    std::vector<StoredEntry> entries;
+};
+
+/// What is durable, as values that a test may spoil.
+struct DurableWorld {
+    std::vector<StoredPlayer> players;
+    std::vector<StoredTable> tables;
+    std::vector<DurableMatch> matches;  ///< Those that are live.
+    std::vector<DurableMatch> ended;
+    MatchStore::HighestIds highest;
+
+    /// As a server reads it; only as long as this lives.
+    StoredWorld stored() const {
+        return {.players = players,
+                .tables = tables,
+                .highest = highest,
+                .last_match = [this](protocol::TableId table) { return last_match(table); },
+                .refold =
+                    [this](const StoredMatch& match) {
+                        for (const auto* kept : {&matches, &ended}) {
+                            for (const DurableMatch& one : *kept) {
+                                if (one.match.match == match.match) {
+                                    return refold_journal(one.match, one.entries);
+                                }
+                            }
+                        }
+                        return base::Result<Refolded, std::string>(std::string("no such match"));
+                    }};
+    }
+
+  private:
+    StoreResult<std::optional<KnownMatch>> last_match(protocol::TableId table) const {
+        std::optional<KnownMatch> last;
+        for (const bool is_over : {false, true}) {
+            for (const DurableMatch& one : is_over ? ended : matches) {
+                if (one.match.table != table) continue;
+                if (last && one.match.match < last->match.match) continue;
+                last.emplace();
+                last->match = one.match;
+                last->is_over = is_over;
+            }
+        }
+        return last;
+    }
+};
+
 class ManualCommitter final : public Committer {
   public:
     /// How long each commit says that it took.
@@ -48,16 +96,20 @@ class ManualCommitter final : public Committer {
     void kill() { waiting_.clear(); }
 
     /// What a server that starts now would find.
-    StoredWorld durable() const {
-        StoredWorld world;
+    DurableWorld durable() const {
+        DurableWorld world;
         world.highest.table = highest_table_;
         for (const auto& [id, player] : players_) {
             world.players.push_back(player);
             world.highest.player = std::max(world.highest.player, id.value);
         }
+        for (const auto& [id, table] : tables_) world.tables.push_back(table);
         for (const auto& [id, match] : matches_) {
             world.highest.match = std::max(world.highest.match, id.value);
-            if (!match.result) world.matches.push_back({match.stored, match.entries});
+            auto& kept = match.result ? world.ended : world.matches;
+            if (!match.result || match.result->shots > 0) {
+                kept.push_back({match.stored, match.entries});
+            }
         }
         return world;
     }

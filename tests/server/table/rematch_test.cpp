@@ -50,5 +50,17 @@ TEST_F(RematchTest, IsRefusedWhereAnotherHasTakenTheOpponentsSeat) {
     EXPECT_EQ(count<told::MatchStarted>(linus), 2U);
 }
 
+TEST_F(RematchTest, IsForTheSameTwoAfterARestartToo) {
+    start_match();
+    take_turn(1);
+    say(ada, client::Concede{});
+    restart();
+    ada = come_back(token_of(ada));
+    grace = come_back(token_of(grace));
+    say(ada, client::Rematch{});
+    say(grace, client::Rematch{});
+    EXPECT_EQ(count<told::MatchStarted>(ada), 1U);
+}
+
 }  // namespace
 }  // namespace billiards::server

@@ -49,7 +49,7 @@ TEST_F(RestartTest, TakesTheOutcomeFromTheJournalAndSolvesNothingAgain) {
     let_rest();
     // A journal whose outcome no engine would give: a ball lies where it could not have come to
     // rest. What was stored is what was played.
-    StoredWorld world = committer.durable();
+    DurableWorld world = committer.durable();
     StoredEntry& stored = world.matches[0].entries.back();
     auto entry = protocol::decode_entry(stored.entry);
     ASSERT_TRUE(entry.ok());
@@ -61,7 +61,7 @@ TEST_F(RestartTest, TakesTheOutcomeFromTheJournalAndSolvesNothingAgain) {
 
     lobby.reset();
     start();
-    ASSERT_TRUE(lobby->restore(now, world).empty());
+    ASSERT_TRUE(lobby->restore(now, world.stored()).empty());
     all_come_back();
     EXPECT_EQ(state().layout.find(model::kEightBall)->position_m, moved);
 }
@@ -123,7 +123,7 @@ TEST_F(RestartTest, GivesNoIdTwice) {
     say(barbara, client::CreateTable{.name = "New", .settings = {}, .role = Role::BothSeats});
     EXPECT_GT(last<told::TableSnapshot>(barbara).row.table, old_table);
     say(barbara, client::Ready{});
-    const StoredWorld world = committer.durable();
+    const DurableWorld world = committer.durable();
     ASSERT_EQ(world.matches.size(), 2U);
     EXPECT_EQ(world.players.size(), 4U);
 }
@@ -137,41 +137,96 @@ TEST_F(RestartTest, SeatsOneClientOnBothSeatsAgain) {
     EXPECT_EQ(last<told::TableSnapshot>(back).your_seats, (std::vector{Seat::First, Seat::Second}));
 }
 
-TEST_F(RestartTest, DoesNotBringBackAMatchThatIsOver) {
+TEST_F(RestartTest, ShowsTheMatchThatWasOverToThoseWhoHaveNotSeenItsEnd) {
     start_match();
+    take_turn(1);
+    const auto played = last<told::ShotPlayed>(linus);
+    disk_is_slow = true;
     say(ada, client::Concede{});
+    committer.complete();  // Durable, and nobody may have been told.
+    disk_is_slow = false;
     restart();
-    EXPECT_EQ(lobby->stats().tables, 0U);
-    EXPECT_EQ(last<told::Welcome>(come_back(token_of(ada))).table, std::nullopt);
+    EXPECT_EQ(lobby->stats().tables, 1U);
+    EXPECT_EQ(lobby->stats().matches_running, 0U);
+    ada = come_back(token_of(ada));
+    grace = come_back(token_of(grace));
+    const auto snapshot = last<told::TableSnapshot>(ada);
+    EXPECT_EQ(snapshot.your_seats, std::vector{Seat::First});
+    EXPECT_EQ(snapshot.match->stage, match::Stage::Over);
+    EXPECT_EQ(snapshot.match->winner, Seat::Second);
+    EXPECT_EQ(snapshot.turn.deadline_us, std::nullopt);
+    EXPECT_FALSE(snapshot.row.playing);
+    const SessionId shot_by = played.seat == Seat::First ? ada : grace;
+    say(shot_by, client::TakeShot{.turn = {1}, .shot_id = 1, .shot = {}, .call = {}});
+    EXPECT_EQ(last<told::ShotPlayed>(shot_by).record, played.record);
+    say(ada, client::Rematch{});
+    say(grace, client::Rematch{});
+    EXPECT_EQ(count<told::MatchStarted>(ada), 1U);
 }
 
-TEST_F(RestartTest, LeavesASecondMatchAtOneTableAlone) {
+TEST_F(RestartTest, BringsBackATableWithoutAMatch) {
+    match::Settings settings;
+    settings.game = rules::Game::NineBall;
+    seat_players(settings);
+    const auto row = last<told::TableSnapshot>(grace).row;
+    restart();
+    ada = come_back(token_of(ada));
+    grace = come_back(token_of(grace));
+    EXPECT_EQ(last<told::Welcome>(grace).table, table);
+    EXPECT_EQ(last<told::TableSnapshot>(grace).row, row);
+    say(ada, client::Ready{});
+    say(grace, client::Ready{});
+    EXPECT_EQ(last<told::MatchStarted>(ada).state.settings, settings);
+}
+
+TEST_F(RestartTest, WritesNothingOfATableThatDidNotChange) {
     start_match();
-    StoredWorld world = committer.durable();
-    world.matches.push_back(world.matches[0]);
-    world.matches[1].match.match = {2};
-    lobby.reset();
-    start();
-    EXPECT_EQ(lobby->restore(now, world),
-              std::vector<std::string>{"match 2: table 1 has another live match"});
-    EXPECT_EQ(lobby->stats().matches_running, 1U);
+    restart();
+    EXPECT_EQ(committer.waiting(), 0U);
+    disk_is_slow = true;
+    come_back(token_of(ada));
+    ASSERT_EQ(committer.waiting(), 1U);
+    EXPECT_TRUE(std::holds_alternative<SavePlayer>(committer.next().front()));
+    committer.complete();
+    EXPECT_EQ(committer.waiting(), 0U);
+}
+
+TEST_F(RestartTest, DoesNotGiveTheNumberOfATableThatWasClosedAgain) {
+    seat_players();
+    disconnect(ada);
+    disconnect(grace);
+    disconnect(linus);
+    pass(limits.empty_table_kept);
+    EXPECT_EQ(committer.table(table), std::nullopt);
+    restart();
+    ada = come_back(token_of(ada));
+    say(ada, client::CreateTable{.name = "New", .settings = {}, .role = Role::Player});
+    EXPECT_GT(last<told::TableSnapshot>(ada).row.table, table);
+}
+
+TEST_F(RestartTest, FreesTheSeatsOfThoseWhoDoNotComeBackToATableWithoutAMatch) {
+    seat_players();
+    restart();
+    pass(limits.absence_grace);
+    EXPECT_EQ(committer.table(table)->seats[Seat::First], std::nullopt);
+    EXPECT_EQ(committer.table(table)->seats[Seat::Second], std::nullopt);
 }
 
 TEST_F(RestartTest, LeavesAloneWhatDoesNotRefoldAndSaysWhy) {
     start_match();
     place_cue_ball();
     say(shooter(), shot(1));
-    const StoredWorld good = committer.durable();
+    const DurableWorld good = committer.durable();
     const auto reason_of = [&](const auto& spoil) {
-        StoredWorld world = good;
+        DurableWorld world = good;
         spoil(world.matches[0]);
         lobby.reset();
         start();
-        const auto reasons = lobby->restore(now, world);
+        const auto reasons = lobby->restore(now, world.stored());
         EXPECT_EQ(lobby->stats().tables, 0U);
         return reasons.size() == 1 ? reasons[0] : std::string("restored");
     };
-    using Live = StoredWorld::LiveMatch;
+    using Live = DurableMatch;
     EXPECT_EQ(reason_of([](Live& live) { live.entries.erase(live.entries.begin()); }),
               "match 1: entry 2: expected sequence 1");
     EXPECT_NE(reason_of([](Live& live) {
@@ -187,16 +242,19 @@ TEST_F(RestartTest, LeavesAloneWhatDoesNotRefoldAndSaysWhy) {
               "match 1: player 99 is not known");
     EXPECT_EQ(reason_of([](Live& live) { live.entries[1].entry.record.clear(); }),
               "match 1: entry 2: a shot without its outcome");
-    EXPECT_EQ(reason_of([](Live& live) {
-                  const protocol::JournalEntry concession{.seat = Seat::First,
-                                                          .command = match::Concede{},
-                                                          .shot_id = 0,
-                                                          .verdict = {},
-                                                          .final_layout = {},
-                                                          .record = {}};
-                  live.entries.push_back({3, protocol::encode_entry(concession)});
-              }),
-              "match 1: it is over");
+}
+
+TEST_F(RestartTest, DoesWithoutAMatchThatIsOverAndDoesNotRefold) {
+    start_match();
+    take_turn(1);
+    say(ada, client::Concede{});
+    DurableWorld world = committer.durable();
+    world.ended[0].entries.pop_back();
+    lobby.reset();
+    start();
+    EXPECT_TRUE(lobby->restore(now, world.stored()).empty());
+    ada = come_back(token_of(ada));
+    EXPECT_EQ(last<told::TableSnapshot>(ada).match, std::nullopt);
 }
 
 }  // namespace
