@@ -39,6 +39,10 @@ struct LobbyLimits {
     std::size_t kept_events = 256;
     std::size_t kept_event_bytes = 256 * 1024;
 
+    /// What waits for the delayed spectators of one table: messages, and bytes of their frames.
+    std::size_t delayed_events = 4096;
+    std::size_t delayed_bytes = 4 * 1024 * 1024;
+
     /// How long a player may be away in one match while the opponent is there, who may then claim
     /// it; and how long an absent player keeps the seat between two matches.
     base::Duration absence_grace = std::chrono::seconds(60);

@@ -41,12 +41,15 @@ Table::Table(protocol::TableId id, std::string name, const match::Settings& sett
       absence_(around.limits.absence_grace),
       stream_(new_stream(around.random)),
       log_({.events = around.limits.kept_events, .bytes = around.limits.kept_event_bytes}),
+      gallery_(around.limits),
       deserted_since_(now),
       aim_to_players_(around.limits.aim_per_s_to_players, std::chrono::seconds(1), kAimBurst),
       aim_to_spectators_(around.limits.aim_per_s_to_spectators, std::chrono::seconds(1), kAimBurst),
       placements_(around.limits.placements_per_10s, std::chrono::seconds(10)),
       practice_shots_(around.limits.practice_shots_per_s, std::chrono::seconds(1)),
-      chat_(around.limits.table_chat_per_10s, std::chrono::seconds(10)) {}
+      chat_(around.limits.table_chat_per_10s, std::chrono::seconds(10)) {
+    delay_gallery(now, picture());
+}
 
 base::Result<base::Done, RefusedCode> Table::join(base::Instant now, const Visitor& visitor,
                                                   Role role) {
@@ -200,6 +203,7 @@ base::Result<base::Done, RefusedCode> Table::change_settings(base::Instant now,
     seating_.clear_ready();
     save();
     announce_change(now);
+    delay_gallery(now, picture());
     return base::Done{};
 }
 
@@ -209,10 +213,20 @@ bool Table::is_abandoned(base::Instant now) const {
 }
 
 bool Table::is_idle() const {
-    return !is_pending() && !is_playing() && !seating_.is_anyone_connected();
+    return !is_pending() && !is_playing() && !seating_.is_anyone_connected() &&
+           gallery_.is_drained();
 }
 
+/// Nobody gets more of their delay than the time: who may come in is so at once.
 protocol::server::TableRow Table::row() const {
+    protocol::server::TableRow row = gallery_.is_delayed() ? gallery_.row() : row_now();
+    row.is_private = access_.is_private();
+    row.has_passcode = access_.has_passcode();
+    row.owner = access_.owner().name;
+    return row;
+}
+
+protocol::server::TableRow Table::row_now() const {
     return {.table = id_,
             .name = name_,
             .settings = settings_,
@@ -242,8 +256,19 @@ std::optional<MatchId> Table::match_id() const {
     return match_ ? std::optional(match_->id) : std::nullopt;
 }
 
-std::uint64_t Table::steps_shown_to(SessionId /*session*/) const {
-    return match_ ? match_->entries + 1 : 0;
+std::uint64_t Table::steps_shown_to(SessionId session) const {
+    if (!match_) return 0;
+    if (!is_shown_late(session)) return match_->entries + 1;
+    return gallery_.shown().match_id == match_->id ? gallery_.shown().steps : 0;
+}
+
+/// Where spectators were shown nothing late so far, what they get now has another stream.
+void Table::delay_gallery(base::Instant now, const Picture& shown) {
+    const bool was_delayed = gallery_.is_delayed();
+    gallery_.set_delay(base::duration_of(settings_.spectator_delay_s), shown,
+                       new_stream(around_.random));
+    if (gallery_.is_delayed() == was_delayed) return;
+    seating_.for_each_spectator([&](SessionId to) { send_snapshot(now, to); });
 }
 
 }  // namespace billiards::server

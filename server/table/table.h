@@ -13,6 +13,7 @@
 #include "server/table/absence.h"
 #include "server/table/access.h"
 #include "server/table/event_log.h"
+#include "server/table/gallery.h"
 #include "server/table/outbox.h"
 #include "server/table/refold.h"
 #include "server/table/refuse.h"
@@ -106,6 +107,7 @@ class Table {
     bool is_abandoned(base::Instant now) const;
     /// No player is connected, and nothing would be lost by closing it.
     bool is_idle() const;
+    /// As everyone may see it who has no seat here: late, where its spectators are.
     protocol::server::TableRow row() const;
     const match::Settings& settings() const { return settings_; }
     /// Who may come in. The lobby asks it, and says so to the table where it changed.
@@ -114,7 +116,7 @@ class Table {
     StoredTable stored() const;
     /// The match that is played, or the last one.
     std::optional<MatchId> match_id() const;
-    /// So many of its steps may be seen by this session, with how it began.
+    /// So many of its steps may be seen by this session, with how it began; 0: none yet.
     std::uint64_t steps_shown_to(SessionId session) const;
 
   private:
@@ -198,9 +200,15 @@ class Table {
     Message numbered(Event event);
     protocol::SharedFrame publish(base::Instant now, const Message& message,
                                   std::optional<SessionId> except = std::nullopt);
+    /// What has no number: an aim, a remark.
     void show_spectators(base::Instant now, const Message& message,
-                         const protocol::SharedFrame& frame, Delivery delivery,
-                         std::optional<SessionId> except = std::nullopt);
+                         const protocol::SharedFrame& frame, Delivery delivery);
+    void deliver_to_spectators(const protocol::SharedFrame& frame, Delivery delivery);
+    void show_what_is_due(base::Instant now);
+    void delay_gallery(base::Instant now, const Picture& shown);
+    bool is_shown_late(SessionId session) const;
+    Picture picture() const;
+    protocol::server::TableRow row_now() const;
     void send_snapshot(base::Instant now, SessionId to);
     void catch_up(base::Instant now, SessionId to,
                   const std::optional<protocol::client::Followed>& followed);
@@ -230,6 +238,7 @@ class Table {
     std::uint64_t stream_;        ///< Of the sequence numbers; drawn anew with each start.
     std::uint64_t sequence_ = 0;  ///< Of the last event told to everyone here.
     EventLog log_;
+    Gallery gallery_;
     std::optional<StoredTable> saved_;  ///< As last sent to the disk.
 
     Pending pending_;

@@ -61,37 +61,75 @@ protocol::SharedFrame Table::publish(base::Instant now, const Message& message,
     seating_.for_each_player([&](SessionId to) {
         if (to != except) around_.outbox.deliver(to, frame, Delivery::Ordered);
     });
-    show_spectators(now, message, frame, Delivery::Sheddable, except);
+    if (gallery_.is_delayed()) {
+        gallery_.add(now, message, frame->size(), picture());
+    } else {
+        deliver_to_spectators(frame, Delivery::Sheddable);
+    }
     return frame;
 }
 
-void Table::show_spectators(base::Instant /*now*/, const Message& /*message*/,
-                            const protocol::SharedFrame& frame, Delivery delivery,
-                            std::optional<SessionId> except) {
-    seating_.for_each_spectator([&](SessionId to) {
-        if (to != except) around_.outbox.deliver(to, frame, delivery);
-    });
+void Table::show_spectators(base::Instant now, const Message& message,
+                            const protocol::SharedFrame& frame, Delivery delivery) {
+    if (gallery_.is_delayed()) {
+        gallery_.add(now, message, frame->size(), delivery);
+    } else {
+        deliver_to_spectators(frame, delivery);
+    }
+}
+
+void Table::deliver_to_spectators(const protocol::SharedFrame& frame, Delivery delivery) {
+    seating_.for_each_spectator([&](SessionId to) { around_.outbox.deliver(to, frame, delivery); });
+}
+
+void Table::show_what_is_due(base::Instant now) {
+    if (!gallery_.is_delayed()) return;
+    for (const Gallery::News& news : gallery_.take_due(now)) {
+        deliver_to_spectators(news.frame, news.delivery);
+    }
+    if (gallery_.is_delayed()) return;
+    seating_.for_each_spectator([&](SessionId to) { send_snapshot(now, to); });
+}
+
+bool Table::is_shown_late(SessionId session) const {
+    return gallery_.is_delayed() && seating_.seats_of(session).empty();
+}
+
+Picture Table::picture() const {
+    Picture picture{.sequence = sequence_,
+                    .row = row_now(),
+                    .match_id = match_id(),
+                    .steps = 0,
+                    .match = {},
+                    .rolling = {},
+                    .turn = clock_.view()};
+    if (match_) {
+        picture.steps = match_->entries + 1;
+        picture.match = match_->state;
+    }
+    if (rolling_) {
+        picture.rolling = rolling_->played;
+        picture.rests = rolling_->rests;
+    }
+    return picture;
 }
 
 void Table::send_snapshot(base::Instant now, SessionId to) {
-    say::TableSnapshot snapshot{.sequence = sequence_,
-                                .row = row(),
-                                .your_seats = seating_.seats_of(to),
-                                .match = {},
-                                .rolling = {},
-                                .turn = clock_.view(),
-                                .server_time_us = wire_time(now),
-                                .stream = stream_};
-    if (match_) snapshot.match = match_->state;
-    if (rolling_ && now < rolling_->rests) snapshot.rolling = *rolling_->played;
+    const bool late = is_shown_late(to);
+    say::TableSnapshot snapshot = late ? gallery_.snapshot(now) : snapshot_of(picture(), now);
+    snapshot.stream = late ? gallery_.stream() : stream_;
+    snapshot.your_seats = seating_.seats_of(to);
     const Delivery delivery = snapshot.your_seats.empty() ? Delivery::Fresh : Delivery::Ordered;
     around_.outbox.deliver(to, protocol::encode(std::move(snapshot)), delivery);
 }
 
 void Table::catch_up(base::Instant now, SessionId to,
                      const std::optional<protocol::client::Followed>& followed) {
-    const bool is_ours = followed && followed->table == id_ && followed->stream == stream_;
-    const auto missed = is_ours ? log_.since(followed->sequence) : std::nullopt;
+    const bool late = is_shown_late(to);
+    const std::uint64_t stream = late ? gallery_.stream() : stream_;
+    const EventLog& log = late ? gallery_.log() : log_;
+    const bool is_known = followed && followed->table == id_ && followed->stream == stream;
+    const auto missed = is_known ? log.since(followed->sequence) : std::nullopt;
     if (!missed) return send_snapshot(now, to);
     const std::vector<model::Seat> seats = seating_.seats_of(to);
     const Delivery delivery = seats.empty() ? Delivery::Sheddable : Delivery::Ordered;
@@ -174,7 +212,7 @@ void Table::announce_over(base::Instant now, protocol::server::Ending ending) {
 }
 
 void Table::announce_change(base::Instant now) {
-    publish(now, numbered(say::TableChanged{.sequence = {}, .row = row()}));
+    publish(now, numbered(say::TableChanged{.sequence = {}, .row = row_now()}));
 }
 
 /// Everyone is told; who asked learns which request it was.

@@ -203,6 +203,7 @@ void Table::restore(base::Instant now, const Sitters& sitters,
     }
     if (played) restore_match(now, *played);
     count_absence(now);
+    if (gallery_.is_delayed()) gallery_.jump(now, picture());
     saved_ = stored();
 }
 

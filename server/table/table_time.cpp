@@ -34,6 +34,7 @@ std::optional<base::Instant> Table::next_deadline() const {
     const auto consider = [&](std::optional<base::Instant> when) {
         if (when) next = next ? std::min(*next, *when) : *when;
     };
+    consider(gallery_.next_deadline());
     if (is_pending()) return next;
     if (deserted_since_) consider(*deserted_since_ + around_.limits.empty_table_kept);
     if (clock_.is_waiting()) consider(clock_.opens());
@@ -45,6 +46,7 @@ std::optional<base::Instant> Table::next_deadline() const {
 
 void Table::advance(base::Instant now) {
     if (announce_spectators_at_ && *announce_spectators_at_ <= now) announce_seats(now);
+    show_what_is_due(now);
     if (is_pending()) return;
     free_seats_of_absent(now);
     if (clock_.is_waiting() && clock_.opens() <= now) open_turn(now);
