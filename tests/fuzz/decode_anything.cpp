@@ -38,6 +38,13 @@ void play(const ServerMessage& message) {
     if (const auto* played = std::get_if<server::ShotPlayed>(&message)) play(played->record);
     const auto* snapshot = std::get_if<server::TableSnapshot>(&message);
     if (snapshot != nullptr && snapshot->rolling) play(snapshot->rolling->record);
+    const auto* chunk = std::get_if<server::ReplayChunk>(&message);
+    if (chunk == nullptr) return;
+    for (const std::vector<std::byte>& step : chunk->messages) {
+        const auto told = decode_server(step);
+        const auto* played = told ? std::get_if<server::ShotPlayed>(&*told) : nullptr;
+        if (played != nullptr) play(played->record);
+    }
 }
 
 /// Bytes are compared, and not values: a client's shot may hold a NaN.

@@ -4,6 +4,7 @@
 #include "common/protocol/limits.h"
 #include "tests/common/protocol/samples.h"
 
+#include <algorithm>
 #include <cstring>
 #include <functional>
 #include <gtest/gtest.h>
@@ -102,6 +103,76 @@ TEST(HostileFrame, ThatClaimsAnEnormousListOfNothingIsRefused) {
         const auto decoded = decode_server(message_of(
             {kRootOfAServerMessage, kTableListKind, kTableListOfOnePointer, list_of_structs, tag}));
         ASSERT_FALSE(decoded.ok()) << rows;
+    }
+}
+
+constexpr std::uint64_t kHistoryPageKind = 19;
+constexpr std::uint64_t kReplayChunkKind = 21;
+
+/// A page of rows of a single word each; a chunk of messages without a byte.
+std::vector<std::byte> page_of(std::uint64_t rows) {
+    Words words{kRootOfAServerMessage,          kHistoryPageKind,
+                1ULL << 32U | 1ULL << 48U,      0,
+                1U | 7ULL << 32U | rows << 35U, rows << 2U | 1ULL << 32U};
+    words.resize(words.size() + std::min(rows, std::uint64_t{1000}));
+    return message_of(words);
+}
+
+std::vector<std::byte> chunk_of(std::uint64_t messages) {
+    Words words{kRootOfAServerMessage,
+                kReplayChunkKind,
+                3ULL << 32U | 1ULL << 48U,
+                7,
+                0,
+                0,
+                1U | 6ULL << 32U | messages << 35U};
+    words.resize(words.size() + std::min(messages, std::uint64_t{1000}));
+    return message_of(words);
+}
+
+TEST(HostileFrame, WithMoreRowsOrStepsThanMayBeIsRefused) {
+    EXPECT_TRUE(decode_server(page_of(0)).ok());
+    EXPECT_TRUE(decode_server(chunk_of(kMaxReplaySteps)).ok());
+    for (const std::uint64_t count : {std::uint64_t{1001}, std::uint64_t{1} << 28U}) {
+        EXPECT_FALSE(decode_server(page_of(count)).ok()) << count;
+        EXPECT_FALSE(decode_server(chunk_of(count)).ok()) << count;
+    }
+    const auto rows = decode_server(page_of(kMaxHistoryRows + 1));
+    ASSERT_FALSE(rows.ok());
+    EXPECT_EQ(rows.error(), (DecodeError{DecodeErrorCode::OutOfBounds, "rows"}));
+    const auto steps = decode_server(chunk_of(kMaxReplaySteps + 1));
+    ASSERT_FALSE(steps.ok());
+    EXPECT_EQ(steps.error(), (DecodeError{DecodeErrorCode::OutOfBounds, "messages"}));
+}
+
+/// The same message with its 16 secret bytes said to be fewer.
+std::vector<std::byte> with_shorter_secret(std::span<const std::byte> good, std::uint64_t bytes) {
+    Words words(good.size() / 8);
+    std::memcpy(words.data(), good.data(), good.size());
+    constexpr std::uint64_t kListOfBytes = 2;
+    for (std::uint64_t& word : words) {
+        const bool is_secret = (word & 3U) == 1U && word >> 32U == (kListOfBytes | 16U << 3U);
+        if (is_secret) word = (word & 0xffffffffU) | (kListOfBytes | bytes << 3U) << 32U;
+    }
+    std::vector<std::byte> bad(good.size());
+    std::memcpy(bad.data(), words.data(), bad.size());
+    return bad;
+}
+
+TEST(HostileFrame, WithASecretOfAnotherSizeIsRefused) {
+    client::Join join;
+    join.invite.emplace().fill(7);
+    const auto from_client = copy_of(content_of(encode(ClientMessage{1, join})));
+    server::InviteMade made;
+    made.secret.fill(7);
+    const auto from_server = copy_of(content_of(encode(ServerMessage{made})));
+    for (const std::uint64_t bytes : {1U, 8U, 15U}) {
+        const auto joined = decode_client(with_shorter_secret(from_client, bytes));
+        ASSERT_FALSE(joined.ok()) << bytes;
+        EXPECT_EQ(joined.error(), (DecodeError{DecodeErrorCode::OutOfBounds, "invite"}));
+        const auto invited = decode_server(with_shorter_secret(from_server, bytes));
+        ASSERT_FALSE(invited.ok()) << bytes;
+        EXPECT_EQ(invited.error(), (DecodeError{DecodeErrorCode::OutOfBounds, "secret"}));
     }
 }
 
@@ -251,7 +322,22 @@ TEST(HostileTable, IsRefusedWhereItHasTooMuch) {
 }
 
 TEST(HostileClient, IsRefusedByTheNameOfItsField) {
+    const std::string long_passcode(kMaxPasscodeLength + 1, 'x');
+    const std::string long_player(kMaxShownNameLength + 1, 'x');
+    client::CreateTable create;
+    create.passcode = long_passcode;
+    client::Join join;
+    join.passcode = long_passcode;
+    client::ChangeTable change;
+    change.passcode = long_passcode;
     const std::vector<std::pair<const char*, ClientMessageBody>> cases = {
+        {"passcode", create},
+        {"passcode", join},
+        {"passcode", change},
+        {"name", client::Kick{long_player}},
+        {"player", client::AskHistory{long_player, 0}},
+        {"player", client::AskRecord{long_player}},
+        {"ball", client::PlaceBall{model::BallId{22}, {}}},
         {"name", client::Hello{std::string(kMaxNameLength + 1, 'x'), {}}},
         {"name", client::CreateTable{std::string(kMaxTableNameLength + 1, 'x'), {}, {}}},
         {"text", client::Chat{std::string(kMaxChatLength + 1, 'x')}},
