@@ -28,7 +28,9 @@ struct PlayerOptions {
     /// Says `seen` when the balls have come to rest, as a person would; else at once.
     bool watches_balls_roll = false;
     std::optional<base::Duration> aim_every;  ///< Shows its aim while it thinks.
-    bool plays_again = false;                 ///< Is ready for the next match when one is over.
+    bool plays_again = false;                 ///< Wants a rematch when a match is over.
+    bool claims_match = false;                ///< As soon as its opponent was away for too long.
+    std::optional<bool> accepts_offers{};     ///< None: leaves them unanswered.
     /// Decides; bot::choose plays best.
     std::function<match::Command(const match::MatchState&, base::Random&)> choose;
 };
@@ -66,11 +68,8 @@ class HeadlessPlayer {
     const std::string& failure() const { return failure_; }
 
   private:
-    struct Awaited {
-        std::uint32_t request_id = 0;
-        model::TurnNumber turn;
-        bool is_shot = false;
-    };
+    /// What was asked and not answered yet.
+    using Awaited = std::optional<protocol::ClientMessage>;
 
     void tell(const protocol::ServerMessage& message);
     void tell_shot(const client::TableView& before, const protocol::server::ShotPlayed& shot);
@@ -79,11 +78,19 @@ class HeadlessPlayer {
     void react(const protocol::ServerMessage& message, base::Instant now);
     void on_welcome(const protocol::server::Welcome& welcome);
     void on_snapshot(const protocol::server::TableSnapshot& snapshot, base::Instant now);
+    void on_resumed();
+    void back_at_table();
     void on_shot(const protocol::server::ShotPlayed& shot, base::Instant now);
     void on_over();
     void on_refused(const protocol::server::Refused& refused, base::Instant now);
+    void settle(const protocol::ServerMessage& message);
     void plan(base::Instant now);
+    void plan_turn(base::Instant now);
+    void plan_answer(base::Instant now);
+    void plan_claim();
+    protocol::ClientMessage ask(protocol::ClientMessageBody body);
     void decide();
+    void answer_offer(base::Instant now);
     void act(base::Instant now);
     void show_aim(base::Instant now);
     void get_ready_if_needed();
@@ -97,11 +104,13 @@ class HeadlessPlayer {
 
     bool was_seated_ = false;
     bool was_playing_ = false;
-    bool is_table_stale_ = false;  ///< The link was lost, and no snapshot has come since.
     bool is_over_ = false;
     std::string failure_;
     std::optional<std::uint32_t> entering_;  ///< The request to open or join a table.
-    std::optional<Awaited> awaited_;         ///< A command that is not answered yet.
+    Awaited move_;                           ///< Of its turn.
+    Awaited answer_;                         ///< To an offer.
+    Awaited claim_;
+    Awaited readiness_;  ///< Ready or Rematch.
     std::optional<match::Command> decided_;
     model::TurnNumber planned_turn_;
     base::Duration think_{};      ///< Of the planned turn.
@@ -109,6 +118,8 @@ class HeadlessPlayer {
     int refusals_ = 0;            ///< In a row.
     std::optional<base::Instant> act_at_;
     std::optional<base::Instant> aim_at_;
+    std::optional<base::Instant> answer_at_;
+    std::optional<base::Instant> claim_at_;
     std::optional<base::Instant> seen_at_;
     std::uint64_t seen_sequence_ = 0;
 };

@@ -2,6 +2,7 @@
 #include "tools/player/headless_player.h"
 
 #include "tests/client/app/told.h"
+#include "tools/player/command_message.h"
 
 #include <gtest/gtest.h>
 #include <string>
@@ -32,6 +33,7 @@ struct Played {
     std::vector<protocol::ClientMessageBody> said;
     std::vector<std::string> told;
     std::vector<int> shots;
+    std::function<match::Command(const match::MatchState&, base::Random&)> choose = shoot_straight;
     HeadlessPlayer player;
 
     explicit Played(PlayerOptions options = {})
@@ -40,8 +42,8 @@ struct Played {
               return static_cast<std::uint32_t>(said.size());
           }) {}
 
-    static PlayerOptions with_choose(PlayerOptions options) {
-        options.choose = shoot_straight;
+    PlayerOptions with_choose(PlayerOptions options) {
+        options.choose = [this](const auto& state, auto& random) { return choose(state, random); };
         return options;
     }
     PlayerEvents events() {
@@ -229,16 +231,52 @@ TEST(HeadlessPlayer, AShotThatIsOnItsWayIsNotDecidedASecondTime) {
     EXPECT_EQ(played.said_of<asked::TakeShot>().size(), 2U);
 }
 
-TEST(HeadlessPlayer, APlacementThatWasLostIsDecidedAnew) {
-    Played played;
+/// Its turn, with the cue ball in hand.
+server::TableSnapshot in_hand() {
     server::TableSnapshot snapshot = at_turn(3, Seat::First);
     snapshot.match->layout.balls[0].place = model::Place::InHand;
-    for (int attempt = 0; attempt < 2; ++attempt) {
-        played.hears(told::welcome(kTable)).hears(snapshot).waits_until(kNow + seconds(60));
+    return snapshot;
+}
+
+TEST(HeadlessPlayer, LeavesWhatTheLinkSaysAgainToTheLink) {
+    Played played;
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        played.hears(told::welcome(kTable)).hears(in_hand()).waits_until(kNow + seconds(60));
         played.player.link_lost();
         EXPECT_FALSE(played.player.next_deadline());
     }
-    EXPECT_EQ(played.said_of<asked::PlaceCueBall>().size(), 2U);
+    ASSERT_EQ(played.said_of<asked::PlaceCueBall>().size(), 1U);
+    played.hears(told::welcome(kTable)).hears(in_hand());
+    played.hears(server::CueBallPlaced{2, Seat::First, {-0.6, 0.0}})
+        .waits_until(kNow + seconds(60));
+    EXPECT_EQ(played.said_of<asked::TakeShot>().size(), 1U);
+}
+
+TEST(HeadlessPlayer, DecidesAnewWhatTheLinkDoesNotSayAgain) {
+    Played played;
+    played.choose = [](const match::MatchState& state, base::Random&) {
+        return match::Offer{.turn = state.turn, .kind = match::OfferKind::Draw};
+    };
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        played.hears(told::welcome(kTable)).hears(at_turn(3, Seat::First));
+        played.waits_until(kNow + seconds(60));
+        played.player.link_lost();
+    }
+    EXPECT_EQ(played.said_of<asked::Offer>().size(), 2U);
+}
+
+TEST(HeadlessPlayer, GoesOnWhereItWasWhenNothingWasMissed) {
+    Played played;
+    played.hears(told::welcome(kTable)).hears(at_turn(3, Seat::Second));
+    played.player.link_lost();
+    played.hears(told::welcome(kTable)).waits_until(kNow + seconds(60));
+    EXPECT_TRUE(played.said.empty());
+    played.hears(
+        server::Resumed{.table = kTable, .your_seats = {Seat::First}, .server_time_us = 0});
+    played.hears(told::shot(2, told::match_at(4, Seat::First, 1))).waits_until(kNow + seconds(60));
+    EXPECT_EQ(played.said_of<asked::TakeShot>().size(), 1U);
+    EXPECT_EQ(played.player.digest().missed(), 0);
+    EXPECT_EQ(played.told, (std::vector<std::string>{"seated", "seated"}));
 }
 
 TEST(HeadlessPlayer, WaitsForASnapshotBeforeItActsOnANewLink) {
@@ -312,7 +350,125 @@ TEST(HeadlessPlayer, PlaysAgainWhereItIsAskedTo) {
     played.hears(told::welcome(kTable)).hears(at_turn(3, Seat::Second));
     played.hears(told::over(2, Seat::Second));
     EXPECT_FALSE(played.player.is_finished());
+    EXPECT_EQ(played.said_of<asked::Rematch>().size(), 1U);
+    EXPECT_TRUE(played.said_of<asked::Ready>().empty());
+}
+
+TEST(HeadlessPlayer, PlaysAgainWithSomebodyElseWhereItsOpponentIsGone) {
+    PlayerOptions options;
+    options.plays_again = true;
+    Played played(options);
+    played.hears(told::welcome(kTable)).hears(at_turn(3, Seat::Second));
+    played.hears(told::over(2, Seat::Second));
+    played.hears(told::refused(protocol::RefusedCode::NotAllowed, 1));
     EXPECT_EQ(played.said_of<asked::Ready>().size(), 1U);
+}
+
+TEST(HeadlessPlayer, IsReadyAgainWhenTheTableWasChanged) {
+    Played played;
+    const server::TableSnapshot waiting = told::snapshot(1, {Seat::First}, std::nullopt);
+    played.hears(waiting).hears(server::TableChanged{.sequence = 2, .row = waiting.row});
+    EXPECT_EQ(played.said_of<asked::Ready>().size(), 2U);
+}
+
+server::SeatChanged grace_away(std::optional<std::int64_t> claimable_us) {
+    server::SeatChanged changed{
+        .sequence = 2, .seats = at_turn(3, Seat::Second).row.seats, .spectators = 0};
+    changed.seats[Seat::Second].taken = true;
+    changed.seats[Seat::Second].claimable_us = claimable_us;
+    return changed;
+}
+
+TEST(HeadlessPlayer, ClaimsTheMatchAsSoonAsItMay) {
+    PlayerOptions options;
+    options.claims_match = true;
+    Played played(options);
+    played.hears(told::welcome(kTable)).hears(at_turn(3, Seat::Second));
+    EXPECT_FALSE(played.player.next_deadline());
+    played.hears(grace_away(told::welcome().server_time_us + 60'000'000));
+    EXPECT_EQ(played.player.next_deadline(), kNow + seconds(60));
+    played.waits_until(kNow + seconds(60)).waits_until(kNow + seconds(61));
+    EXPECT_EQ(played.said_of<asked::ClaimMatch>().size(), 1U);
+    played.hears(told::refused(protocol::RefusedCode::NotAllowed, 1), kNow + seconds(61));
+    played.waits_until(kNow + seconds(62));
+    EXPECT_EQ(played.said_of<asked::ClaimMatch>().size(), 2U) << "its clock may be ahead";
+}
+
+TEST(HeadlessPlayer, WaitsForAnOpponentWhoIsAwayUnlessItIsToldToClaim) {
+    Played played;
+    played.hears(told::welcome(kTable)).hears(at_turn(3, Seat::Second));
+    played.hears(grace_away(told::welcome().server_time_us));
+    EXPECT_FALSE(played.player.next_deadline());
+}
+
+server::MatchMoved draw_offered(Seat by) {
+    match::MatchState match = told::match_at(3, Seat::Second);
+    match.offer = {match::OfferKind::Draw, by};
+    server::MatchMoved moved = told::moved(2, by, match);
+    moved.move = server::Move::Offer;
+    return moved;
+}
+
+TEST(HeadlessPlayer, AnswersOffersAsItIsTold) {
+    for (const auto& accepts : {std::optional<bool>(), std::optional(true), std::optional(false)}) {
+        PlayerOptions options;
+        options.accepts_offers = accepts;
+        Played played(options);
+        played.hears(told::welcome(kTable)).hears(at_turn(3, Seat::Second));
+        played.hears(draw_offered(Seat::Second)).waits_until(kNow + seconds(60));
+        played.waits_until(kNow + seconds(61));
+        const auto answers = played.said_of<asked::Answer>();
+        ASSERT_EQ(answers.size(), accepts ? 1U : 0U);
+        if (!accepts) continue;
+        EXPECT_EQ(answers[0], (asked::Answer{.turn = {3}, .accept = *accepts}));
+    }
+}
+
+TEST(HeadlessPlayer, DoesNotAnswerItsOwnOffer) {
+    PlayerOptions options;
+    options.accepts_offers = true;
+    Played played(options);
+    played.hears(told::welcome(kTable)).hears(at_turn(3, Seat::Second));
+    played.hears(draw_offered(Seat::First)).waits_until(kNow + seconds(60));
+    EXPECT_TRUE(played.said.empty());
+}
+
+TEST(HeadlessPlayer, AsksForAsLongAsItTakesWhereTheServerCannotStore) {
+    Played played = adas_turn();
+    base::Instant now = kNow;
+    for (int i = 0; i < 100; ++i) {
+        now += seconds(1);
+        played.waits_until(now);
+        played.hears(told::refused(protocol::RefusedCode::StorageFailed,
+                                   static_cast<std::uint32_t>(played.said.size())),
+                     now);
+    }
+    EXPECT_FALSE(played.player.is_finished());
+    const auto shots = played.said_of<asked::TakeShot>();
+    EXPECT_EQ(shots.size(), 100U);
+    EXPECT_EQ(shots.front().shot_id, shots.back().shot_id);
+}
+
+TEST(CommandMessage, SaysEveryCommandOfAPlayer) {
+    constexpr model::TurnNumber kTurn{3};
+    const std::vector<std::pair<match::Command, protocol::ClientMessageBody>> all{
+        {match::PlaceCueBall{{1.0, 2.0}}, asked::PlaceCueBall{kTurn, {1.0, 2.0}}},
+        {match::TakeShot{.turn = kTurn, .shot = {}, .call = {}},
+         asked::TakeShot{.turn = kTurn, .shot_id = 7, .shot = {}, .call = {}}},
+        {match::Choose{kTurn, rules::Choice::PassBack},
+         asked::Choose{kTurn, rules::Choice::PassBack}},
+        {match::Concede{}, asked::Concede{}},
+        {match::Extend{kTurn}, asked::Extend{kTurn}},
+        {match::Offer{kTurn, match::OfferKind::Draw}, asked::Offer{kTurn, match::OfferKind::Draw}},
+        {match::Answer{kTurn, true}, asked::Answer{kTurn, true}},
+        {match::ClaimStalemate{kTurn}, asked::ClaimStalemate{kTurn}},
+        {match::SpotNearest{kTurn}, asked::SpotNearest{kTurn}},
+        {match::PlaceBall{model::BallId{5}, {1.0, 2.0}},
+         asked::PlaceBall{model::BallId{5}, {1.0, 2.0}}},
+        {match::Undo{}, asked::Undo{}},
+        {match::Repeat{}, asked::Repeat{}},
+        {match::Rerack{}, asked::Rerack{}}};
+    for (const auto& [command, message] : all) EXPECT_EQ(message_of(command, kTurn, 7), message);
 }
 
 TEST(HeadlessPlayer, CannotGoOnWithoutItsTable) {
