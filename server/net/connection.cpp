@@ -31,6 +31,8 @@ Connection::Connection(Socket socket, SessionId session, ConnectionShare& share)
 void Connection::start() {
     asio::error_code ignored;  // A client that is gone already shows when it is read.
     socket_.set_option(asio::ip::tcp::no_delay(true), ignored);
+    socket_.set_option(asio::socket_base::send_buffer_size(share_.limits.send_buffer_bytes),
+                       ignored);
     set_deadline(share_.limits.greeting_timeout);
     deliver(share_.preamble, Delivery::Ordered);
     read_preamble();

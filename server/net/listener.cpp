@@ -25,8 +25,9 @@ Listener::Listener(asio::io_context& context, const Endpoint& endpoint, spdlog::
     }
 }
 
-void Listener::start(Accepted accepted) {
+void Listener::start(Accepted accepted, Failed failed) {
     accepted_ = std::move(accepted);
+    failed_ = std::move(failed);
     accept();
 }
 
@@ -47,6 +48,7 @@ void Listener::accept() {
 
 void Listener::on_error(const asio::error_code& error) {
     if (error == asio::error::connection_aborted) return accept();  // Gone while it waited.
+    failed_();
     log_.warn("cannot accept on {}: {}; trying again in {} ms", to_text(endpoint_), error.message(),
               pause_length_.count());
     pause_.expires_after(pause_length_);

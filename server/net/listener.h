@@ -20,6 +20,7 @@ using Socket = asio::basic_stream_socket<asio::ip::tcp, asio::io_context::execut
 class Listener {
   public:
     using Accepted = std::function<void(Socket)>;
+    using Failed = std::function<void()>;
 
     /// Listens at once; port 0 takes a free one. An IPv6 address means IPv6 alone. Throws
     /// std::runtime_error with a sentence that names the address and the system's reason.
@@ -28,9 +29,10 @@ class Listener {
 
     /// With the port that was taken.
     Endpoint endpoint() const { return endpoint_; }
-    /// Hands over every socket from now on. Where the system has no more of them, it is logged and
-    /// tried again after the pause, while the waiting clients keep waiting.
-    void start(Accepted accepted);
+    /// Hands over every socket from now on. Where the system has no more of them, it is told,
+    /// logged and tried again after the pause, while the waiting clients keep waiting.
+    void start(
+        Accepted accepted, Failed failed = [] {});
     void stop();
 
   private:
@@ -43,6 +45,7 @@ class Listener {
     spdlog::logger& log_;
     Endpoint endpoint_;
     Accepted accepted_;
+    Failed failed_;
 };
 
 }  // namespace billiards::server

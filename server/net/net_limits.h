@@ -12,7 +12,9 @@ namespace billiards::server {
 struct NetLimits {
     using Milliseconds = std::chrono::milliseconds;
 
-    std::size_t connections = 20'000;  ///< Of all addresses together.
+    /// Of all addresses together; fewer where the system gives fewer descriptors.
+    std::size_t connections = 20'000;
+    std::size_t descriptor_reserve = 64;  ///< Kept from connections, for files and status pages.
     AddressLimits::Limits address;
 
     /// From the connection to the end of the first message. Idle sessions are the game's affair.
@@ -27,6 +29,9 @@ struct NetLimits {
     /// For a spectator; beyond it what can be shed is, until it has caught up. One frame may be
     /// more.
     std::size_t sheddable_bytes = 256 * 1024;
+    /// What the system holds for one receiver beyond that (it takes twice as much for itself): so
+    /// much of what a slow one sees is old, at most.
+    int send_buffer_bytes = 256 * 1024;
     /// A receiver that takes not a byte of what it is sent for so long is cut.
     Milliseconds stalled_timeout = std::chrono::seconds(60);
     /// Said by one connection and not yet dealt with; beyond it nothing more is read from it.

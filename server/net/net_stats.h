@@ -10,7 +10,8 @@ namespace billiards::server {
 struct NetStats {
     std::size_t connections = 0;
     std::uint64_t accepted = 0;
-    std::uint64_t turned_away = 0;  ///< Over the limit of connections, of all or of an address.
+    std::uint64_t turned_away = 0;      ///< Over the limit of connections, of all or of an address.
+    std::uint64_t accept_failures = 0;  ///< After each, nobody is let in for a moment.
     std::uint64_t frames_in = 0;
     std::uint64_t frames_out = 0;
     std::uint64_t bytes_in = 0;

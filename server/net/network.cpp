@@ -1,6 +1,8 @@
 // Takes addresses to listen on; gives sessions to the game, and carries out what it sends them.
 #include "server/net/network.h"
 
+#include "server/net/descriptors.h"
+
 #include <array>
 #include <utility>
 
@@ -35,6 +37,8 @@ Network::Network(asio::io_context& context, const NetLimits& limits, ConnectionE
                  spdlog::logger& log)
     : context_(context),
       limits_(limits),
+      max_connections_(
+          connections_within(limits.connections, descriptors_allowed(), limits.descriptor_reserve)),
       log_(log),
       share_{limits_, events, stats_, our_preamble(), [this](SessionId gone) { ended(gone); }},
       addresses_(limits.address),
@@ -47,8 +51,13 @@ Endpoint Network::listen(const Endpoint& endpoint) {
 }
 
 void Network::start() {
+    if (max_connections_ < limits_.connections) {
+        log_.warn("at most {} connections instead of {}: the system gives too few descriptors",
+                  max_connections_, limits_.connections);
+    }
     for (const auto& listener : listeners_) {
-        listener->start([this](Socket socket) { accepted(std::move(socket)); });
+        listener->start([this](Socket socket) { accepted(std::move(socket)); },
+                        [this] { ++stats_.accept_failures; });
     }
     wait_for_tick();
 }
@@ -58,7 +67,7 @@ void Network::accepted(Socket socket) {
     const auto remote = socket.remote_endpoint(gone);
     if (gone) return;
     const auto address = AddressLimits::key_of(remote.address());
-    const bool room = connections_.size() < limits_.connections;
+    const bool room = connections_.size() < max_connections_;
     if (!room || !addresses_.admit(address, Connection::Clock::now())) {
         return turn_away(std::move(socket));
     }

@@ -63,6 +63,7 @@ class Network {
 
     asio::io_context& context_;
     const NetLimits limits_;
+    const std::size_t max_connections_;
     spdlog::logger& log_;
     NetStats stats_;
     ConnectionShare share_;

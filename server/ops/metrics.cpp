@@ -36,6 +36,8 @@ std::vector<MetricFamily> families_of(const NetStats& net) {
         counter("billiards_connections_accepted_total", "Connections taken in", net.accepted),
         counter("billiards_connections_turned_away_total", "Connections over a limit",
                 net.turned_away),
+        counter("billiards_accept_failures_total", "Times that no connection could be taken in",
+                net.accept_failures),
         counter("billiards_connections_timed_out_total",
                 "Connections without a greeting or the rest of a frame in time", net.timed_out),
         counter("billiards_connections_too_slow_total", "Receivers cut off with a full queue",

@@ -15,7 +15,7 @@ namespace billiards::tools {
 
 class TestServer {
   public:
-    TestServer() { start(); }
+    explicit TestServer(const server::NetLimits& limits = {}) : limits_(limits) { start(); }
 
     /// Where clients connect, over restarts too.
     client::ServerAddress address() const { return {.host = "127.0.0.1", .port = port_}; }
@@ -33,10 +33,12 @@ class TestServer {
         config.listen = {{asio::ip::address_v4::loopback(), port_}};
         config.http = server::Endpoint{asio::ip::address_v4::loopback(), 0};
         config.data = folder_.path() / "data";
+        config.net = limits_;
         server_.emplace(config, log_);
         port_ = server_->port();
     }
 
+    const server::NetLimits limits_;
     support::TemporaryFolder folder_;
     spdlog::logger log_{"test", std::make_shared<spdlog::sinks::null_sink_mt>()};
     std::optional<server::Server> server_;

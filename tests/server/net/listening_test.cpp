@@ -108,6 +108,7 @@ TEST(Listening, TakesClientsInOnceThereAreDescriptorsAgain) {
     while (running.log_text().empty() && std::chrono::steady_clock::now() < end) {
     }
     EXPECT_THAT(running.log_text(), HasSubstr("cannot accept on 127.0.0.1"));
+    EXPECT_GE(running.stats().accept_failures, 1U);
     shortage.reset();
     EXPECT_TRUE(client.receive_preamble());
 }
