@@ -79,13 +79,15 @@ std::vector<protocol::ClientMessage> Reconnect::take_repeats() {
 
 std::optional<base::Duration> Reconnect::lost(LostCode code, base::Instant now) {
     if (!was_ever_welcomed_ || is_over_ || is_final(code)) return std::nullopt;
-    if (welcomed_ && now - *welcomed_ >= limits_.stood) attempts_ = 0;
+    if (welcomed_) attempts_ = 0;
+    if (welcomed_ && now - *welcomed_ >= limits_.stood) delays_ = 0;
     welcomed_.reset();
     if (attempts_ >= limits_.max_attempts) return std::nullopt;
     base::Duration delay = limits_.first_delay;
-    for (int i = 0; i < attempts_ && delay < limits_.max_delay; ++i) delay *= 2;
+    for (int i = 0; i < delays_ && delay < limits_.max_delay; ++i) delay *= 2;
     delay = std::min(delay, limits_.max_delay);
     ++attempts_;
+    if (delay < limits_.max_delay) ++delays_;
     return base::duration_of(base::seconds(delay) * random_.uniform(0.5, 1.0));
 }
 

@@ -18,8 +18,8 @@ namespace billiards::client {
 struct ReconnectLimits {
     base::Duration first_delay = std::chrono::milliseconds(200);
     base::Duration max_delay = std::chrono::seconds(5);
-    int max_attempts = 60;  ///< In a row without a link that stood, then it gives up.
-    /// A link that lived this long since its Welcome stood: the count starts again.
+    int max_attempts = 60;  ///< In a row without a Welcome, then it gives up.
+    /// A link that lived this long since its Welcome stood: the delays start again.
     base::Duration stood = std::chrono::seconds(10);
 };
 
@@ -59,7 +59,8 @@ class Reconnect {
     std::optional<base::Instant> welcomed_;  ///< When the present or last link was.
     bool was_ever_welcomed_ = false;
     bool is_over_ = false;  ///< Replaced by another connection, or the token is no longer known.
-    int attempts_ = 0;
+    int attempts_ = 0;      ///< Since the last Welcome.
+    int delays_ = 0;        ///< Since the last link that stood.
     std::optional<protocol::client::Followed> followed_;
     Unanswered unanswered_;
     bool is_table_due_ = false;   ///< A Welcome named it, and it has not been shown yet.

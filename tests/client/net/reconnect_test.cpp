@@ -61,7 +61,15 @@ TEST(Reconnect, GivesUpAfterSoManyAttempts) {
               static_cast<std::size_t>(kLimits.max_attempts));
 }
 
-TEST(Reconnect, OnlyALinkThatStoodStartsTheCountAgain) {
+TEST(Reconnect, NeverGivesUpAServerThatWelcomesItAgainAndAgain) {
+    Reconnect reconnect = welcomed();
+    for (int i = 0; i < 3 * kLimits.max_attempts; ++i) {
+        ASSERT_TRUE(reconnect.lost(LostCode::Closed, kNow)) << i;
+        reconnect.received(welcome(protocol::TableId{7}), kNow);
+    }
+}
+
+TEST(Reconnect, OnlyALinkThatStoodStartsTheDelaysAgain) {
     Reconnect reconnect = welcomed();
     delays(reconnect, 6);
     reconnect.received(welcome(), kNow);
