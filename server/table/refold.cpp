@@ -1,6 +1,7 @@
 // Takes a stored match; folds its journal into a state.
 #include "server/table/refold.h"
 
+#include "common/base/check.h"
 #include "common/match/match.h"
 
 #include <utility>
@@ -17,6 +18,9 @@ std::string at_entry(const StoredEntry& entry, const std::string& reason) {
 
 struct MoveOf {
     using Move = say::Move;
+
+    Move operator()(const match::PlaceCueBall&) const { CHECK(false); }
+    Move operator()(const match::TakeShot&) const { CHECK(false); }
     Move operator()(const match::Choose&) const { return Move::Choice; }
     Move operator()(const match::Timeout&) const { return Move::Timeout; }
     Move operator()(const match::Concede&) const { return Move::Concession; }
@@ -63,7 +67,7 @@ struct Told {
         if constexpr (std::is_same_v<Other, match::Choose>) moved.choice = command.choice;
         moved.verdict = std::move(entry.verdict);
         moved.after = after;
-        moved.move = MoveOf{}(command);
+        moved.move = move_of(entry.command);
         return moved;
     }
 };
@@ -103,6 +107,10 @@ class LastShots {
 };
 
 }  // namespace
+
+protocol::server::Move move_of(const match::Command& command) {
+    return std::visit(MoveOf{}, command);
+}
 
 base::Result<JournalFold, std::string> JournalFold::begin(const StoredMatch& match) {
     const auto settings = protocol::decode_settings(match.settings);

@@ -20,30 +20,6 @@ std::uint32_t wire_duration_us(base::Duration duration) {
         std::clamp(duration, base::Duration::zero(), base::Duration(kMost)).count());
 }
 
-/// How a step without a shot is called on the wire; a new command does not compile until it has its
-/// name here. The cue ball set down and shots have messages of their own.
-struct MoveOf {
-    using Move = say::Move;
-
-    Move operator()(const match::PlaceCueBall&) const { CHECK(false); }
-    Move operator()(const match::TakeShot&) const { CHECK(false); }
-    Move operator()(const match::Choose&) const { return Move::Choice; }
-    Move operator()(const match::Timeout&) const { return Move::Timeout; }
-    Move operator()(const match::Concede&) const { return Move::Concession; }
-    Move operator()(const match::Forfeit&) const { return Move::Forfeit; }
-    Move operator()(const match::Extend&) const { return Move::Extension; }
-    Move operator()(const match::Offer&) const { return Move::Offer; }
-    Move operator()(const match::Answer& answer) const {
-        return answer.accept ? Move::Acceptance : Move::Rejection;
-    }
-    Move operator()(const match::ClaimStalemate&) const { return Move::StalemateClaim; }
-    Move operator()(const match::SpotNearest&) const { return Move::Spotting; }
-    Move operator()(const match::PlaceBall&) const { return Move::Placing; }
-    Move operator()(const match::Undo&) const { return Move::Undoing; }
-    Move operator()(const match::Repeat&) const { return Move::Repeating; }
-    Move operator()(const match::Rerack&) const { return Move::Reracking; }
-};
-
 }  // namespace
 
 template <class Event>
@@ -195,7 +171,7 @@ void Table::announce_move(base::Instant now, Step step) {
                           .verdict = std::move(step.entry.verdict),
                           .after = std::move(step.next),
                           .turn = clock_.view(),
-                          .move = std::visit(MoveOf{}, step.entry.command)};
+                          .move = move_of(step.entry.command)};
     if (const auto* choose = std::get_if<match::Choose>(&step.entry.command)) {
         moved.choice = choose->choice;
     }
