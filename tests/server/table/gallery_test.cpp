@@ -224,6 +224,18 @@ TEST(Gallery, NeverLetsAShorterDelayOvertake) {
     EXPECT_EQ(gallery.next_deadline(), at(13s));
 }
 
+TEST(Gallery, IsLiveAgainOnceAllIsShownThatWaitedForADelayThatIsNoMore) {
+    Gallery gallery{LobbyLimits{}};
+    gallery.set_delay(10s, picture(0), 1);
+    gallery.add(at(0s), event(1), 100, picture(1));
+    gallery.set_delay(0s, picture(1), 2);
+    gallery.add(at(3s), event(2), 100, picture(2));
+    EXPECT_TRUE(gallery.take_due(at(10s) - 1us).empty());
+    EXPECT_TRUE(gallery.is_delayed());
+    EXPECT_EQ(gallery.take_due(at(10s)).size(), 2U);
+    EXPECT_FALSE(gallery.is_delayed());
+}
+
 TEST(Gallery, DropsRemarksAndJumpsOverEventsWhereTooMuchWaits) {
     LobbyLimits limits;
     limits.delayed_events = 3;
