@@ -50,14 +50,9 @@ void Hall::tend() {
     for (const auto& party : parties_) {
         party->tend();
         if (const auto why = party->failure()) {
-            if (party->tellings() == 0) return dissolve(*party);
             throw BrokenPromise(fmt::format("{} ({})", *why, party->standing()));
         }
     }
-}
-
-void Hall::dissolve(const Party& gone) {
-    std::erase_if(parties_, [&gone](const auto& party) { return party.get() == &gone; });
 }
 
 bool Hall::play_until(const std::function<bool()>& is_enough, base::Duration limit) {

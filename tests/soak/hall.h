@@ -83,7 +83,6 @@ class Hall {
 
     client::ServerAddress address();
     void tend();
-    void dissolve(const Party& gone);
     void check_table(const std::map<std::uint32_t, Journal>& journals, std::uint32_t table,
                      const std::array<Account, kClients>& accounts, bool complete) const;
 

@@ -3,6 +3,7 @@
 
 #include "tests/tools/test_server.h"
 
+#include <future>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -91,6 +92,29 @@ TEST(Load, WhoeverDropsComesBack) {
     EXPECT_GT(report["reconnects"], 3);
     EXPECT_GT(report["shots"], 5);
     EXPECT_TRUE(report["server_cpu_s"].is_null());
+}
+
+TEST(Load, AfterARestartItTellsHowSoonEverybodyWasBack) {
+    TestServer server;
+    LoadOptions options;
+    options.server = server.address();
+    options.mode = LoadMode::Reconnect;
+    options.tables = 3;
+    options.spectators = 6;
+    options.seconds = 30.0;
+    options.min_think_s = 0.0;
+    options.max_think_s = 0.05;
+    std::promise<void> in_place;
+    options.in_place = [&in_place] { in_place.set_value(); };
+    std::future<ordered_json> load = std::async(std::launch::async, make_load, options);
+    in_place.get_future().wait();
+    server.restart();
+    const ordered_json report = load.get();
+    EXPECT_EQ(report["gone"], 0) << report.dump(2);
+    EXPECT_EQ(report["places_lost"], 12);
+    EXPECT_EQ(report["places_taken_again"], 12);
+    EXPECT_GT(report["place_again_since_up_s"]["max"], 0.0);
+    EXPECT_LT(report["measured_s"], 30.0);
 }
 
 TEST(Load, WhoReadsNothingIsComparedWithNobodyOfThatKind) {
