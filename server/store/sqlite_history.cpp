@@ -28,6 +28,10 @@ constexpr const char* kOfPlayer =
 constexpr const char* kBetween =
     "SELECT match_id FROM standings WHERE player = :player AND opponent = :asker";
 
+std::string page_of(const char* source) {
+    return fmt::format("{} AND match_id < :before ORDER BY match_id DESC LIMIT :most", source);
+}
+
 std::vector<const char*> sources_of(const HistoryQuery& query) {
     if (!query.player) return {kOfEverybody, kOwn};
     if (*query.player == query.asker) return {kOwn};
@@ -41,9 +45,7 @@ void bind_where_asked(SQLite::Statement& statement, const char* name, std::int64
 
 void read_source(SQLite::Database& database, const char* source, const HistoryQuery& query,
                  std::int64_t age_s, Page& page) {
-    SQLite::Statement rows(
-        database,
-        fmt::format("{} AND match_id < :before ORDER BY match_id DESC LIMIT :most", source));
+    SQLite::Statement rows(database, page_of(source));
     bind_where_asked(rows, ":age_s", age_s);
     bind_where_asked(rows, ":asker", stored(query.asker.value));
     bind_where_asked(rows, ":player", stored(query.player.value_or(PlayerId{}).value));
@@ -74,6 +76,10 @@ StoredResult read_result(SQLite::Statement& row) {
 }
 
 }  // namespace
+
+std::vector<std::string> history_statements() {
+    return {page_of(kOfEverybody), page_of(kOwn), page_of(kOfPlayer), page_of(kBetween)};
+}
 
 std::vector<StoredResult> SqliteResults::history(const HistoryQuery& query, std::int64_t age_s) {
     Page page;

@@ -7,6 +7,7 @@
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace billiards::server {
@@ -19,6 +20,10 @@ struct Ended {
     std::int64_t age_s = 0;
     std::int64_t calendar_s = 0;
 };
+
+/// The statements that a page of history is read with: whoever holds them against SQLite's plans
+/// wants them all.
+std::vector<std::string> history_statements();
 
 /// Everything here throws SQLite::Exception. What others see of a player is a chain of its own:
 /// it leaves private matches out, and none of its links is shown before those that it rests on.
