@@ -5,6 +5,8 @@
 #include "tests/server/net/raw_client.h"
 #include "tests/support/temporary_folder.h"
 
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Transaction.h>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -330,6 +332,28 @@ TEST(Server, UndoesTheStepThatADeletedFolderWouldLoseAndSaysSo) {
     std::filesystem::rename(folder.path() / "away", folder.path() / "data");
     match.second.say(client::Concede{});
     EXPECT_TRUE(match.first.hear<said::MatchOver>());
+}
+
+TEST(Server, PlaysOnWhileAnotherProcessHoldsTheDatabase) {
+    const TemporaryFolder folder;
+    const Running running(folder);
+    Guest known(running);
+    RawClient newcomer(running.server->port());
+    {
+        SQLite::Database other((folder.path() / "data" / "billiards.db").string(),
+                               SQLite::OPEN_READWRITE);
+        const SQLite::Transaction holds(other, SQLite::TransactionBehavior::IMMEDIATE);
+        newcomer.send_preamble();
+        EXPECT_TRUE(newcomer.receive_preamble());
+        newcomer.send({1, client::Hello{"Grace", {}}});
+        for (std::int64_t time = 1; time <= 3; ++time) {
+            known.say(client::Ping{.client_time_us = time});
+            const auto pong = known.hear<said::Pong>();
+            ASSERT_TRUE(pong);
+            EXPECT_EQ(pong->client_time_us, time);
+        }
+    }
+    EXPECT_TRUE(newcomer.receive_next<said::Welcome>());
 }
 
 TEST(Server, RefusesToStartOnADamagedFileAndSaysWhatToDo) {
