@@ -34,7 +34,7 @@ constexpr std::chrono::seconds kStopStep{6};
 /// The most that the system gives in one call.
 constexpr std::size_t kRandomBytesAtOnce = 256;
 
-/// Guests and journal entries: more than that would keep the players waiting.
+/// Guests: more than that would keep the players waiting.
 constexpr std::size_t kForgottenAtStart = 10'000;
 
 template <class T>
@@ -62,7 +62,6 @@ Retention retention_of(const KeepLimits& keep) {
 std::unique_ptr<MatchStore> without_forgotten_guests(std::unique_ptr<MatchStore> store,
                                                      const KeepLimits& keep) {
     Retention retention = retention_of(keep);
-    retention.most_bytes = 0;
     retention.guests = true;
     retention.entries_at_once = kForgottenAtStart;
     value_or_throw(store->sweep(retention));

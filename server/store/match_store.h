@@ -145,8 +145,8 @@ struct Retention {
     std::int64_t kept_s = 0;       ///< 0: for ever.
     std::uint64_t most_bytes = 0;  ///< Of the file, as long as journals can be dropped; 0: any.
     std::size_t entries_at_once = 256;  ///< The most that one sweep drops; guests likewise.
-    /// Also guests who were not seen for so long and never finished a match; not while anybody
-    /// knows them by heart.
+    /// Instead of journals: guests who were not seen for so long and never finished a match; not
+    /// while anybody knows them by heart.
     bool guests = false;
 };
 inline constexpr std::int64_t kLongestStop_s = 24 * 60 * 60;

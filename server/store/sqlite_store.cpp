@@ -370,10 +370,8 @@ StoreResult<Swept> SqliteStore::sweep(const Retention& retention) {
         SQLite::Transaction transaction(database_, SQLite::TransactionBehavior::IMMEDIATE);
         age_.keep();
         const std::int64_t age_s = age_.now_s();
-        if (retention.guests && retention.kept_s != 0) {
-            forget_guests(database_, retention.kept_s, retention.entries_at_once, age_s);
-        }
-        const Swept swept = sweep_journals(database_, retention, age_s);
+        const Swept swept = retention.guests ? forget_guests(database_, retention, age_s)
+                                             : sweep_journals(database_, retention, age_s);
         if (auto error = gone()) return *std::move(error);
         transaction.commit();
         give_pages_back(database_);

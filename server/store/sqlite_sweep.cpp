@@ -72,8 +72,8 @@ Swept sweep_journals(SQLite::Database& database, const Retention& retention, std
     return swept;
 }
 
-void forget_guests(SQLite::Database& database, std::int64_t kept_s, std::size_t at_most,
-                   std::int64_t age_s) {
+Swept forget_guests(SQLite::Database& database, const Retention& retention, std::int64_t age_s) {
+    if (retention.kept_s == 0) return {};
     SQLite::Statement forget(
         database,
         "DELETE FROM players WHERE id IN (SELECT id FROM players p WHERE seen_s < ? "
@@ -83,9 +83,10 @@ void forget_guests(SQLite::Database& database, std::int64_t kept_s, std::size_t 
         "AND id NOT IN (SELECT owner FROM tables) "
         "AND id NOT IN (SELECT first_seat FROM tables WHERE first_seat IS NOT NULL) "
         "AND id NOT IN (SELECT second_seat FROM tables WHERE second_seat IS NOT NULL) LIMIT ?)");
-    forget.bind(1, age_s - kept_s);
-    forget.bind(2, static_cast<std::int64_t>(at_most));
-    forget.exec();
+    forget.bind(1, age_s - retention.kept_s);
+    forget.bind(2, static_cast<std::int64_t>(retention.entries_at_once));
+    const auto forgotten = static_cast<std::size_t>(forget.exec());
+    return {.is_done = forgotten < retention.entries_at_once};
 }
 
 void give_pages_back(SQLite::Database& database) {

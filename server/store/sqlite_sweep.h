@@ -12,10 +12,9 @@ namespace billiards::server {
 /// out of everybody's sight from the first moment on. Throws SQLite::Exception.
 Swept sweep_journals(SQLite::Database& database, const Retention& retention, std::int64_t age_s);
 
-/// Guests who were not seen for so long, never finished a match, and have no place at any table;
-/// at most so many. Likewise.
-void forget_guests(SQLite::Database& database, std::int64_t kept_s, std::size_t at_most,
-                   std::int64_t age_s);
+/// Guests who were not seen for so long, never finished a match, and have no place at any table.
+/// Likewise.
+Swept forget_guests(SQLite::Database& database, const Retention& retention, std::int64_t age_s);
 
 /// Outside of any transaction: hands free pages at the file's end back to the system, a few at a
 /// time. A file from before there was such a thing keeps its pages, and uses them again.

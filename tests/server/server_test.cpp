@@ -2,6 +2,7 @@
 // come back after a restart, and against a disk that fails.
 #include "server/server.h"
 
+#include "server/store/sqlite_store.h"
 #include "tests/server/net/raw_client.h"
 #include "tests/support/temporary_folder.h"
 
@@ -354,6 +355,22 @@ TEST(Server, PlaysOnWhileAnotherProcessHoldsTheDatabase) {
         }
     }
     EXPECT_TRUE(newcomer.receive_next<said::Welcome>());
+}
+
+TEST(Server, DropsTheShotsOfOldMatchesAndSaysSo) {
+    const TemporaryFolder folder;
+    { const Running before(folder); }
+    const auto file = folder.path() / "data" / "billiards.db";
+    StoredMatch old;
+    old.match = {1};
+    ASSERT_TRUE(open_sqlite_store(file).value()->commit(std::vector<Write>{
+        SaveMatch{old}, AppendEntry{{1}, {1, {}}}, FinishMatch{{1}, {.shots = 1}}}));
+    SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
+        .exec("UPDATE age SET age_s = age_s + 366 * 24 * 60 * 60");
+    Running running(folder);
+    running.server->stop();
+    EXPECT_THAT(running.log_text.str(), HasSubstr("dropped the shots of 1 old matches"));
+    EXPECT_TRUE(open_sqlite_store(file).value()->ended_matches()->empty());
 }
 
 TEST(Server, RefusesToStartOnADamagedFileAndSaysWhatToDo) {
