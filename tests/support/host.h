@@ -24,6 +24,7 @@ class Host {
     /// Asks it to stop; gives its exit code.
     int stop();
 
+    pid_t pid() const { return server_->pid(); }
     std::uint16_t port() const { return port_; }
     std::filesystem::path data() const { return folder_.path() / "data"; }
     std::filesystem::path database() const { return data() / "billiards.db"; }

@@ -31,6 +31,7 @@ class Process {
     /// The next line that holds `part`; those before it are dropped.
     std::optional<std::string> read_line_with(const std::string& part);
 
+    pid_t pid() const { return pid_; }
     void signal(int number);
     /// Kills it as a power cut would, and waits until it is gone.
     void kill_minus_nine();
