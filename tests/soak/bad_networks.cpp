@@ -31,6 +31,9 @@ nlohmann::ordered_json play(const Options& options) {
     hall.host().stop();
     hall.check(true);
     const Hall::Figures figures = hall.figures();
+    if (figures.shots_told != figures.shots_journalled) {
+        throw BrokenPromise("a shot in the journals was told to nobody");
+    }
     return {{"seed", options.hall.seed},
             {"matches", hall.finished()},
             {"at_once", options.hall.tables},
