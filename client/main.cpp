@@ -1,8 +1,7 @@
 // Takes the command line; opens the window.
-#include "client/net/clock.h"
+#include "client/play/player_name.h"
+#include "client/play/way_in.h"
 #include "client/window_app.h"
-#include "common/protocol/limits.h"
-#include "common/protocol/text.h"
 
 #include <CLI/CLI.hpp>
 #include <SDL.h>
@@ -47,7 +46,8 @@ void describe(CLI::App& app, Flags& flags) {
                    "Folder for what is played here [$XDG_DATA_HOME/gl-billiards/PROFILE]")
         ->type_name("FOLDER");
     app.add_option("--assets", flags.assets, "Folder of models and textures")->type_name("FOLDER");
-    auto* server = app.add_option("--server", flags.server, "Go to this server at once")
+    auto* server = app.add_option("--server", flags.server,
+                                  "Go to this server at once, or by an invite to its table")
                        ->type_name("HOST:PORT");
     auto* table = app.add_option("--table", flags.table, "And to this table there")
                       ->type_name("NUMBER")
@@ -118,11 +118,8 @@ WindowAppOptions options_of(const Flags& flags) {
     options.window = window_of(flags);
     options.assets = assets_folder(flags);
     options.data = data_folder(flags);
-    const auto shown =
-        billiards::protocol::clean_text(flags.name, billiards::protocol::kMaxNameLength);
-    if (!shown || shown->empty()) {
-        throw std::runtime_error(fmt::format("--name {}: a name has 1 to {} letters or signs.",
-                                             flags.name, billiards::protocol::kMaxNameLength));
+    if (!is_player_name(flags.name)) {
+        throw std::runtime_error(fmt::format("--name {}: {}", flags.name, kPlayerNameRule));
     }
     options.name = flags.name;
     options.seed = std::random_device()();
@@ -138,15 +135,19 @@ WindowAppOptions options_of(const Flags& flags) {
         }
     }
     if (!flags.server.empty()) {
-        options.server = parse_address(flags.server);
-        if (!options.server) {
-            throw std::runtime_error(
-                fmt::format("--server {}: an address looks like example.org:4747.", flags.server));
-        }
-        options.watches = flags.watches;
         const auto role = flags.watches ? billiards::protocol::Role::Spectator
                                         : billiards::protocol::Role::Player;
-        if (flags.table != 0) options.errand = GoToTable{{{flags.table}, role}};
+        const auto way = way_in(flags.server, role);
+        if (!way) {
+            throw std::runtime_error(
+                fmt::format("--server {}: an address looks like example.org:4747, and an invite "
+                            "begins with billiards://.",
+                            flags.server));
+        }
+        options.server = way->address;
+        options.watches = flags.watches;
+        if (way->join) options.errand = GoToTable{*way->join};
+        if (flags.table != 0) options.errand = GoToTable{{.table = {flags.table}, .role = role}};
     }
     return options;
 }

@@ -8,6 +8,7 @@
 #include "client/ui/menu.h"
 #include "client/ui/panel.h"
 #include "client/ui/report.h"
+#include "client/ui/ways.h"
 
 #include <algorithm>
 #include <backends/imgui_impl_opengl3.h>
@@ -33,7 +34,7 @@ constexpr double kFarBalls_m = 1.2;
 model::TableSize table_size(const Screen& screen) {
     const TableView* table = screen.game.presentation().table();
     return table != nullptr ? table->row.settings.table
-                            : static_cast<model::TableSize>(screen.menu.table_size);
+                            : static_cast<model::TableSize>(screen.menu.table.table_size);
 }
 
 template <class T>
@@ -90,6 +91,9 @@ WindowApp::WindowApp(const WindowAppOptions& options)
         }
     }
     if (options.server) {
+        screen_.session = {.where = Whereabouts::Elsewhere,
+                           .address = to_text(*options.server),
+                           .name = options.name};
         screen_.game.connect(*options.server, options.name, options.errand);
         screen_.menu.page = MenuPage::Tables;
         screen_.menu.address = to_text(*options.server);
@@ -109,6 +113,7 @@ void WindowApp::run_window() {
         take_events();
         screen_.now = local_now();
         screen_.game.advance(screen_.now);
+        follow_up(screen_);
         const Frame frame = lay_out();
         write_report();
         if (options_.scene) {

@@ -39,6 +39,8 @@ struct TableView {
     protocol::server::Turn turn;
     std::optional<protocol::server::AimShown> aim;  ///< Of whoever is to shoot.
     std::optional<protocol::server::MatchOver> over;
+    /// Of the match that is over: whether the same two sit there still.
+    std::optional<model::PerSeat<std::string>> players_of_match{};
 
     friend bool operator==(const TableView&, const TableView&) = default;
 };

@@ -65,6 +65,7 @@ class Reduction {
         view->row.playing = true;
         view->last_shot.reset();
         view->over.reset();
+        view->players_of_match.reset();
     }
 
     void on(const server::CueBallPlaced& message) {
@@ -103,6 +104,8 @@ class Reduction {
         TableView* view = news(message.sequence);
         if (view == nullptr) return;
         view->over = message;
+        view->players_of_match = {
+            {view->row.seats[model::Seat::First].name, view->row.seats[model::Seat::Second].name}};
         view->aim.reset();
         view->row.playing = false;
         view->row.racks_won = message.racks_won;

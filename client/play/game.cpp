@@ -2,6 +2,7 @@
 #include "client/play/game.h"
 
 #include "client/app/reduce.h"
+#include "client/app/refusal.h"
 #include "common/base/hash.h"
 
 #include <chrono>
@@ -21,6 +22,7 @@ void Game::connect(const ServerAddress& address, const std::string& name, Errand
                    std::optional<protocol::ResumeToken> token) {
     disconnect();
     errand_ = std::move(errand);
+    if (token) forgotten_by_ = Known{.address = address, .name = name};
     ServerLinkOptions options;
     options.address = address;
     options.name = name;
@@ -34,13 +36,19 @@ void Game::disconnect() {
     lost_.clear();
     refusal_.clear();
     coming_back_ = false;
+    std::vector<std::string> muted = std::move(state_.muted);
     state_ = {};
+    state_.muted = std::move(muted);
     presentation_.leave();
     placing_.reset();
+    rewatch_.reset();
     turn_.reset();
     awaited_.reset();
     shoots_once_placed_ = false;
     asked_to_start_ = false;
+    leaving_.reset();
+    forgotten_by_.reset();
+    is_forgotten_ = false;
 }
 
 void Game::advance(base::Instant now) {
@@ -58,6 +66,7 @@ bool Game::take_next() {
 void Game::show(base::Instant now) {
     now_ = now;
     presentation_.advance(now);
+    if (rewatch_) rewatch_->advance(now);
     start_turn_if_new();
     send_seen();
     show_aim(now);
@@ -70,13 +79,26 @@ void Game::take(const LinkEvent& event) {
 void Game::on(const Arrived& arrived) {
     const std::optional<TableView> before = state_.table;
     state_ = reduce(std::move(state_), arrived.message, arrived.at);
+    const auto* notice = std::get_if<server::Notice>(&arrived.message);
+    const bool is_kicked = notice != nullptr && notice->code == server::NoticeCode::Kicked;
+    if (is_kicked) refusal_ = "the owner of the table has sent you away";
+    if (before && !state_.table && is_connected()) go_to_lobby();
+    if (!state_.table) rewatch_.reset();
+    if (const auto* chunk = std::get_if<server::ReplayChunk>(&arrived.message)) {
+        if (rewatch_ && !rewatch_->take(*chunk)) rewatch_.reset();
+        ask_for_steps();
+    }
     const base::Duration offset = state_.clock_offset.value_or(base::Duration::zero());
     if (std::holds_alternative<server::MatchStarted>(arrived.message)) asked_to_start_ = false;
     if (std::holds_alternative<server::TableSnapshot>(arrived.message)) {
         asked_to_start_ = false;
         awaited_.reset();
+        leaving_.reset();
         turn_.reset();
+        errand_ = LookAround{};
         presentation_.enter(*state_.table, offset);
+    } else if (std::holds_alternative<server::Resumed>(arrived.message)) {
+        awaited_.reset();
     } else if (!state_.table) {
         presentation_.leave();
     } else if (before && *before != *state_.table) {
@@ -85,15 +107,26 @@ void Game::on(const Arrived& arrived) {
     if (std::holds_alternative<server::Welcome>(arrived.message)) {
         lost_.clear();
         coming_back_ = false;
+        forgotten_by_.reset();
         if (!state_.table) run_errand();
     } else if (const auto* refused = std::get_if<server::Refused>(&arrived.message)) {
-        refusal_ = refused->detail;
+        refusal_ = words(*refused);
+        is_forgotten_ = refused->code == protocol::RefusedCode::UnknownToken;
+        if (!is_forgotten_) errand_ = LookAround{};
         if (refused->in_reply_to == awaited_) awaited_.reset(), shoots_once_placed_ = false;
+        if (refused->in_reply_to == leaving_) leaving_.reset();
+        if (refused->in_reply_to == rewatch_asked_) rewatch_.reset();
+        asked_to_start_ = false;
     }
 }
 
 void Game::on(const LinkLost& lost) {
-    state_.link = LinkState::Lost;
+    if (is_forgotten_ && forgotten_by_) {
+        const Known known = *forgotten_by_;
+        connect(known.address, known.name, Errand(errand_));
+        return;
+    }
+    state_ = with_link_lost(std::move(state_));
     lost_ = lost.lost.reason;
     coming_back_ = lost.retry_after.has_value();
     if (!coming_back_) link_.reset();
@@ -104,14 +137,17 @@ void Game::run_errand() {
         send(open->table);
     } else if (const auto* go = std::get_if<GoToTable>(&errand_)) {
         send(go->join);
+    } else if (const auto* quick = std::get_if<PlayWhoeverWaits>(&errand_)) {
+        send(protocol::client::QuickMatch{quick->game});
     } else {
-        send(protocol::client::ListTables{});
+        if (std::holds_alternative<GoOn>(errand_)) refusal_ = "nothing of yours is played there";
+        send(protocol::client::FollowTables{});
     }
 }
 
 std::vector<ShownBall> Game::balls(base::Instant now) const {
-    std::vector<ShownBall> balls = presentation_.balls(now);
-    if (!placing_) return balls;
+    std::vector<ShownBall> balls = presentation().balls(now);
+    if (!placing_ || is_rewatching()) return balls;
     std::erase_if(balls, [](const ShownBall& ball) { return ball.ball == model::kCueBall; });
     ShownBall held;
     held.ball = model::kCueBall;
@@ -121,28 +157,8 @@ std::vector<ShownBall> Game::balls(base::Instant now) const {
     return balls;
 }
 
-void Game::list_tables() {
-    send(protocol::client::ListTables{});
-}
-
-void Game::join(protocol::TableId table, protocol::Role role) {
-    send(protocol::client::Join{.table = table, .role = role});
-}
-
-void Game::open_table(const protocol::client::CreateTable& table) {
-    send(table);
-}
-
-void Game::ready() {
-    asked_to_start_ = true;
-    send(protocol::client::Ready{});
-}
-
-void Game::leave_table() {
-    send(protocol::client::Leave{});
-}
-
 std::optional<model::Seat> Game::acting() const {
+    if (is_rewatching()) return std::nullopt;
     if (!is_connected() || awaited_ || presentation_.rolling() != nullptr) return std::nullopt;
     const std::optional<model::Seat> seat = my_turn(state_);
     if (!seat) return std::nullopt;
@@ -151,8 +167,8 @@ std::optional<model::Seat> Game::acting() const {
 }
 
 std::optional<base::Vec2> Game::cue_ball_m() const {
-    if (placing_) return placing_->position_m();
-    const TableView* table = presentation_.table();
+    if (placing_ && !is_rewatching()) return placing_->position_m();
+    const TableView* table = presentation().table();
     if (table == nullptr || !table->match) return std::nullopt;
     const model::PlacedBall* cue_ball = table->match->layout.find(model::kCueBall);
     if (cue_ball == nullptr || cue_ball->place != model::Place::OnTable) return std::nullopt;
@@ -189,18 +205,6 @@ void Game::set_down() {
 
 void Game::choose(rules::Choice choice) {
     if (acting()) send_move(protocol::client::Choose{.turn = *turn_, .choice = choice});
-}
-
-void Game::concede() {
-    send(protocol::client::Concede{});
-}
-
-void Game::chat(const std::string& text) {
-    send(protocol::client::Chat{.text = text});
-}
-
-void Game::skip_roll() {
-    presentation_.skip();
 }
 
 /// Once the balls of the last shot rest and it is this screen's turn.

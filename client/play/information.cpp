@@ -2,6 +2,8 @@
 #include "client/play/information.h"
 
 #include "client/app/narrate.h"
+#include "client/play/offered.h"
+#include "common/match/clock.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,9 +46,13 @@ std::string at_the_table(const Game& game, const TableView& table) {
         if (!seats[model::Seat::First].taken || !seats[model::Seat::Second].taken) {
             return "Waiting for a second player.";
         }
-        return is_seated ? "Press Start when you are ready." : "The players get ready.";
+        if (!is_seated) return "The players get ready.";
+        if (has_both_seats(table)) return "Press Start when you are ready.";
+        return fmt::format("Press {} when you are ready.",
+                           is_between_the_same(table) ? "Rematch" : "Start");
     }
     const match::MatchState& match = *table.match;
+    if (match.settings.game == rules::Game::Practice) return "Practice: play any ball anywhere.";
     return fmt::format("{} {}.", player_and_group(table, match.to_act), to_do(game, match));
 }
 
@@ -68,9 +74,13 @@ std::vector<std::string> information(const Game& game) {
     return all;
 }
 
+bool is_low(int seconds_left) {
+    return seconds_left <= match::kWarning_s;
+}
+
 std::optional<int> seconds_left(const Game& game, base::Instant now) {
     const TableView* table = game.presentation().table();
-    if (table == nullptr || !table->turn.deadline_us) return std::nullopt;
+    if (table == nullptr || !table->turn.deadline_us || game.is_rewatching()) return std::nullopt;
     const auto deadline = local_time_of(game.known(), *table->turn.deadline_us);
     if (!deadline || game.presentation().rolling() != nullptr) return std::nullopt;
     return std::max(0, static_cast<int>(std::ceil(base::seconds(*deadline - now))));

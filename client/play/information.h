@@ -17,7 +17,28 @@ std::vector<std::string> information(const Game& game);
 /// The last of them alone.
 std::string what_follows(const Game& game);
 
+/// What else is to be known now, a sentence each: who is away and until when, what is offered, who
+/// wants a rematch, how late a watcher sees it. A whole second counts down.
+std::vector<std::string> notes(const Game& game, base::Instant now);
+
+/// Of a table in a list: "8-ball", "Ada 1 - 0 Grace", "race to 3", "playing, 2 watching".
+struct RowText {
+    std::string game;
+    std::string players;
+    std::string race;
+    std::string state;
+    friend bool operator==(const RowText&, const RowText&) = default;
+};
+RowText text_of(const protocol::server::TableRow& row);
+/// Whether somebody who does not watch may sit down there.
+bool has_room(const protocol::server::TableRow& row);
+
+/// "2 : 1", of racks; at straight pool "45 : 30 of 100", of points.
+std::string score_of(const TableView& table);
+
 /// Whole seconds left to whoever is to act; none where no clock runs.
 std::optional<int> seconds_left(const Game& game, base::Instant now);
+/// So few that whoever is to act is warned.
+bool is_low(int seconds_left);
 
 }  // namespace billiards::client

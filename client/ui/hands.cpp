@@ -24,6 +24,7 @@ constexpr double kCtrlAims = 0.1;  ///< Of the way that the mouse went.
 constexpr double kFullPullUnits = 320.0;
 /// Less than this is a click, not a pull.
 constexpr float kClickUnits = 5.0F;
+constexpr double kLeastDrag_m = 0.01;
 constexpr base::Duration kTwiceWithin = std::chrono::seconds(1);
 
 double radius_m() {
@@ -52,6 +53,23 @@ base::Vec2 ahead(const Camera& camera) {
     const base::Vec2 way = base::Vec2(camera.target_m() - camera.eye_m());
     if (std::fabs(way.x) > std::fabs(way.y)) return {way.x > 0 ? 1.0 : -1.0, 0.0};
     return {0.0, way.y > 0 ? 1.0 : -1.0};
+}
+
+std::optional<model::BallId> ball_at(const Screen& screen, base::Vec2 at_m) {
+    for (const ShownBall& ball : screen.game.balls(screen.now)) {
+        if (glm::distance(base::Vec2(ball.state.position_m), at_m) <= radius_m()) return ball.ball;
+    }
+    return std::nullopt;
+}
+
+/// Sets down what is in hand; otherwise there is something to say.
+void press_return(Screen& screen) {
+    const auto& placing = screen.game.placing();
+    if (screen.game.acting() && placing && !placing->is_down()) {
+        screen.game.set_down();
+    } else {
+        screen.talk.is_open = screen.talk.takes_focus = true;
+    }
 }
 
 }  // namespace
@@ -98,8 +116,13 @@ void Hands::press(Screen& screen, base::Vec2 on_bed_m) {
     if (!screen.game.acting()) return;
     const auto cue_ball_m = screen.game.cue_ball_m();
     const bool on_cue_ball = cue_ball_m && glm::distance(*cue_ball_m, on_bed_m) < 1.5 * radius_m();
+    const auto ball =
+        screen.game.offered(screen.now).practise ? ball_at(screen, on_bed_m) : std::nullopt;
     if (screen.game.placing() && on_cue_ball) {
         hold_ = Hold::CueBall;
+    } else if (ball) {
+        hold_ = Hold::Ball;
+        screen.dragged = {.ball = *ball, .at_m = on_bed_m};
     } else if (cue_ball_m) {
         hold_ = Hold::Cue;
         screen.game.shot().begin_pull();
@@ -114,6 +137,8 @@ void Hands::drag(Screen& screen, const std::optional<base::Vec2>& on_bed_m) {
                             io.MouseDelta.y * kOrbitPerUnit_rad);
     } else if (hold_ == Hold::CueBall) {
         if (on_bed_m) screen.game.hold_cue_ball_at(*on_bed_m);
+    } else if (hold_ == Hold::Ball) {
+        if (on_bed_m && screen.dragged) screen.dragged->at_m = *on_bed_m;
     } else if (hold_ == Hold::Cue) {
         const double units =
             std::hypot(io.MousePos.x - pressed_at_.x, io.MousePos.y - pressed_at_.y);
@@ -142,6 +167,7 @@ void Hands::release(Screen& screen) {
     if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     const Hold held = std::exchange(hold_, hold_ == Hold::Eye ? Hold::Eye : Hold::Nothing);
     if (held == Hold::CueBall) screen.game.set_down();
+    if (held == Hold::Ball) drop_ball(screen);
     if (held != Hold::Cue) return;
     if (screen.game.shot().release()) {
         screen.game.shoot();
@@ -150,16 +176,20 @@ void Hands::release(Screen& screen) {
     }
 }
 
+/// A click alone moves nothing.
+void Hands::drop_ball(Screen& screen) const {
+    const auto dragged = std::exchange(screen.dragged, std::nullopt);
+    if (!dragged || glm::distance(dragged->at_m, pressed_on_bed_m_) < kLeastDrag_m) return;
+    screen.game.place_ball(dragged->ball, dragged->at_m);
+}
+
 /// Calls: first a ball, then its pocket.
 void Hands::click(Screen& screen) {
     const model::TableSpec* table = table_of(screen);
     if (table == nullptr) return;
-    for (const ShownBall& ball : screen.game.balls(screen.now)) {
-        const base::Vec2 at_m(ball.state.position_m);
-        if (ball.ball == model::kCueBall || glm::distance(at_m, pressed_on_bed_m_) > radius_m()) {
-            continue;
-        }
-        screen.called_ball = ball.ball;
+    const auto ball = ball_at(screen, pressed_on_bed_m_);
+    if (ball && *ball != model::kCueBall) {
+        screen.called_ball = ball;
         return;
     }
     if (!screen.called_ball) return;
@@ -195,7 +225,8 @@ void Hands::press_spin_key(Screen& screen) {
 void Hands::handle_keys(Screen& screen) {
     const auto pressed = [](SDL_Scancode key) { return ImGui::IsKeyPressed(key, false); };
     handle_arrows(screen);
-    if (pressed(SDL_SCANCODE_RETURN)) screen.game.set_down();
+    if (pressed(SDL_SCANCODE_RETURN)) press_return(screen);
+    if (pressed(SDL_SCANCODE_U)) screen.game.undo();
     if (pressed(SDL_SCANCODE_SPACE) && !ImGui::GetIO().WantCaptureKeyboard) screen.game.shoot();
     if (pressed(SDL_SCANCODE_E)) press_spin_key(screen);
     if (pressed(SDL_SCANCODE_Z)) screen.game.skip_roll();

@@ -14,13 +14,14 @@ class Hands {
     void handle(Screen& screen);
 
   private:
-    enum class Hold : std::uint8_t { Nothing, Cue, CueBall, Eye };
+    enum class Hold : std::uint8_t { Nothing, Cue, CueBall, Eye, Ball };
 
     void handle_mouse(Screen& screen);
     void press(Screen& screen, base::Vec2 on_bed_m);
     void drag(Screen& screen, const std::optional<base::Vec2>& on_bed_m);
     void release(Screen& screen);
     void click(Screen& screen);
+    void drop_ball(Screen& screen) const;
     void handle_wheel(Screen& screen) const;
     void handle_keys(Screen& screen);
     void press_spin_key(Screen& screen);

@@ -61,6 +61,7 @@ Letters set_look(float scale) {
     style.ChildRounding = 5.0F;
     style.WindowBorderSize = 0.0F;
     style.FramePadding = {10.0F, 5.0F};
+    style.DisabledAlpha = 0.35F;
     style.ItemSpacing = {8.0F, 6.0F};
     style.WindowPadding = {14.0F, 12.0F};
     style.ScaleAllSizes(scale);

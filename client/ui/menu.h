@@ -7,7 +7,4 @@ namespace billiards::client {
 
 void draw_menu(Screen& screen);
 
-/// Two players in turn at this screen, through a server in this process.
-void play_two_here(Screen& screen);
-
 }  // namespace billiards::client

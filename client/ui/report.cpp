@@ -98,7 +98,9 @@ Json table_of(const Screen& screen, const TableView& table) {
               {"rolling", screen.game.presentation().rolling() != nullptr},
               {"match", nullptr},
               {"on_screen", nullptr},
-              {"last_hash", nullptr}};
+              {"last_hash", nullptr},
+              {"deadline_us", nullptr}};
+    if (table.turn.deadline_us) json["deadline_us"] = *table.turn.deadline_us;
     for (const model::Seat seat : table.my_seats) json["seats"].push_back(static_cast<int>(seat));
     if (table.match) {
         json["match"] = match_of(*table.match);
@@ -106,6 +108,18 @@ Json table_of(const Screen& screen, const TableView& table) {
     }
     if (table.last_shot) json["last_hash"] = fmt::format("{:016x}", table.last_shot->record.hash);
     return json;
+}
+
+Json chat_of(const ClientState& known) {
+    Json json = Json::array();
+    for (const ChatLine& line : known.chat) json.push_back({line.name, line.text});
+    return json;
+}
+
+/// The step that is shown, and how many there are; null where the match is live.
+Json rewatching_of(const Game& game) {
+    const Rewatch* rewatch = game.rewatch();
+    return rewatch != nullptr ? Json{rewatch->step(), rewatch->steps()} : Json(nullptr);
 }
 
 /// As the frame saw it: a hand that drives the program knows when it has been felt.
@@ -151,6 +165,10 @@ std::string report_of(const Screen& screen) {
         {"folded", screen.is_panel_folded},
         {"aim_line", screen.shows_aim_line},
         {"information", information(screen.game)},
+        {"notes", notes(screen.game, screen.now)},
+        {"copied", screen.copied},
+        {"chat", chat_of(screen.game.known())},
+        {"rewatching", rewatching_of(screen.game)},
         {"table", table != nullptr ? table_of(screen, *table) : Json(nullptr)},
         {"controls", controls_of(screen.controls)}};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -1,7 +1,7 @@
 // Takes a screen; plays it step by step to where its picture is wanted.
 #include "client/ui/stage_scene.h"
 
-#include "client/ui/menu.h"
+#include "client/ui/ways.h"
 
 #include <array>
 
@@ -107,6 +107,40 @@ bool over(Screen& screen) {
     return false;
 }
 
+bool practice(Screen& screen) {
+    if (screen.server == nullptr) practise_here(screen);
+    const auto& table = screen.game.known().table;
+    if (table && !table->row.playing && !screen.game.has_asked_to_start()) screen.game.ready();
+    return screen.game.acting().has_value();
+}
+
+/// A private table whose owner waits for somebody, with an invite made.
+bool hosting(Screen& screen) {
+    screen.menu.port.assign(1, '0');
+    screen.menu.table.is_private = true;
+    if (screen.server == nullptr) host_table(screen);
+    if (!screen.game.known().table || screen.copies_invite) return false;
+    if (!screen.copied.empty()) return true;
+    screen.game.make_invite(protocol::Role::Player);
+    screen.copies_invite = true;
+    return false;
+}
+
+/// And what else the owner decides.
+bool owner(Screen& screen) {
+    if (!hosting(screen)) return false;
+    screen.menu.is_open = true;
+    screen.menu.page = MenuPage::Table;
+    return true;
+}
+
+/// The menu in the middle of a match.
+bool at_table_menu(Screen& screen) {
+    if (!aim(screen)) return false;
+    screen.menu.is_open = true;
+    return true;
+}
+
 /// What somebody sees who looks around at a server with a table.
 bool tables(Screen& screen) {
     if (screen.menu.page == MenuPage::Tables) return !screen.game.known().tables.empty();
@@ -123,8 +157,8 @@ struct NamedScene {
     SceneStep step;
 };
 
-const std::array<NamedScene, 14>& scenes() {
-    static const std::array<NamedScene, 14> all{{{"menu", page(MenuPage::Main)},
+const std::array<NamedScene, 19>& scenes() {
+    static const std::array<NamedScene, 19> all{{{"menu", page(MenuPage::Main)},
                                                  {"host", page(MenuPage::Host)},
                                                  {"join", page(MenuPage::Join)},
                                                  {"help", page(MenuPage::Help)},
@@ -137,7 +171,12 @@ const std::array<NamedScene, 14>& scenes() {
                                                  {"above", above},
                                                  {"folded", folded},
                                                  {"close", close_up},
-                                                 {"over", over}}};
+                                                 {"over", over},
+                                                 {"quick", page(MenuPage::Quick)},
+                                                 {"practice", practice},
+                                                 {"hosting", hosting},
+                                                 {"owner", owner},
+                                                 {"pause", at_table_menu}}};
     return all;
 }
 

@@ -15,7 +15,10 @@ namespace billiards::tools {
 
 class TestServer {
   public:
-    explicit TestServer(const server::NetLimits& limits = {}) : limits_(limits) { start(); }
+    explicit TestServer(const server::NetLimits& limits = {}, const server::LobbyLimits& lobby = {})
+        : limits_(limits), lobby_(lobby) {
+        start();
+    }
 
     /// Where clients connect, over restarts too.
     client::ServerAddress address() const { return {.host = "127.0.0.1", .port = port_}; }
@@ -34,11 +37,13 @@ class TestServer {
         config.http = server::Endpoint{asio::ip::address_v4::loopback(), 0};
         config.data = folder_.path() / "data";
         config.net = limits_;
+        config.lobby = lobby_;
         server_.emplace(config, log_);
         port_ = server_->port();
     }
 
     const server::NetLimits limits_;
+    const server::LobbyLimits lobby_;
     support::TemporaryFolder folder_;
     spdlog::logger log_{"test", std::make_shared<spdlog::sinks::null_sink_mt>()};
     std::optional<server::Server> server_;

@@ -138,7 +138,7 @@ TEST_F(GameTest, TheLobbyListsTheTables) {
     sit_down(here);
     mary.connect(server_.address(), "Mary", LookAround{});
     ASSERT_TRUE(until({&here, &mary}, [&] { return !mary.known().tables.empty(); }));
-    mary.join(mary.known().tables.front().table, protocol::Role::Spectator);
+    mary.join({.table = mary.known().tables.front().table, .role = protocol::Role::Spectator});
     EXPECT_TRUE(until({&here, &mary}, [&] { return mary.known().table.has_value(); }));
 }
 

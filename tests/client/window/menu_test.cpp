@@ -59,7 +59,7 @@ TEST(WindowMenu, JoinSitsDownAtATableAndWatchLooksOn) {
     const std::vector<std::string> there{"--server", to_text(server.address())};
     TestWindow first(there);
     go_to_tables(first, "Join");
-    first.click("Open a new table");
+    open_table(first);
     until_seated(first, 1);
     const std::string row = fmt::format("Table {}", first.seen().at("table").at("id").get<int>());
     TestWindow watcher(there);
@@ -99,6 +99,42 @@ TEST(WindowMenu, AServerThatIsNotThereIsToldAndTriedAgain) {
     ASSERT_TRUE(server.read_line_with("listening"));
     window.click("Try again");
     window.until("is connected", [](const Json& shown) { return shown.at("connected") == true; });
+}
+
+TEST(WindowMenu, AMatchWaitsForAWindowThatWasKilled) {
+    const support::TemporaryFolder folder;
+    Json before;
+    {
+        TestWindow window(folder.path() / "data", {});
+        sit_down(window);
+        before = window.seen().at("table").at("match");
+        window.program().signal(SIGKILL);
+        window.program().exit_code();
+    }
+    TestWindow again(folder.path() / "data", {});
+    again.click("Resume your match");
+    until_seated(again, 2);
+    until_turn(again);
+    EXPECT_EQ(again.seen().at("table").at("match"), before);
+}
+
+TEST(WindowMenu, ASecondWindowOfAProfileIsToldThatAnotherHasIt) {
+    TestWindow first;
+    first.click("Two players here");
+    until_seated(first, 2);
+    TestWindow second(first.data(), {});
+    second.click("Two players here");
+    second.until("says so", [](const Json& shown) {
+        return shown.at("trouble").get<std::string>().find("--profile") != std::string::npos;
+    });
+}
+
+TEST(WindowMenu, PracticeBeginsAloneWithTheBalls) {
+    TestWindow window;
+    window.click("Practice");
+    until_turn(window);
+    window.until_there("Re-rack");
+    EXPECT_EQ(window.seen().at("information").back(), "Practice: play any ball anywhere.");
 }
 
 TEST(WindowMenu, QuitEndsTheProgram) {

@@ -13,6 +13,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 std::vector<std::string> command(const std::string& display, const std::filesystem::path& folder,
+                                 const std::filesystem::path& data,
                                  const std::vector<std::string>& options) {
     // Graphics drivers keep what they have until the end, and call it no leak.
     std::vector<std::string> words{"/usr/bin/env",
@@ -26,7 +27,7 @@ std::vector<std::string> command(const std::string& display, const std::filesyst
                                    "--size",
                                    "1120x700",
                                    "--data",
-                                   (folder / "data").string(),
+                                   data.string(),
                                    "--report",
                                    (folder / "report").string()};
     words.insert(words.end(), options.begin(), options.end());
@@ -45,9 +46,12 @@ bool is_held(const Json& shown, int button) {
 
 }  // namespace
 
-TestWindow::TestWindow(const std::vector<std::string>& options)
-    : report_(folder_.path() / "report"),
-      program_(command(display_.name(), folder_.path(), options)) {
+TestWindow::TestWindow(const std::vector<std::string>& options) : TestWindow({}, options) {}
+
+TestWindow::TestWindow(const std::filesystem::path& data, const std::vector<std::string>& options)
+    : data_(data.empty() ? folder_.path() / "data" : data),
+      report_(folder_.path() / "report"),
+      program_(command(display_.name(), folder_.path(), data_, options)) {
     until("shows anything", [](const Json&) { return true; });
     window_ = hand({"search", "--sync", "--onlyvisible", "--name", "gl-billiards"}).back();
 }
@@ -175,6 +179,13 @@ bool may_shoot(const Json& shown) {
 void sit_down(TestWindow& window) {
     window.click("Two players here");
     until_turn(window);
+}
+
+void open_table(TestWindow& window) {
+    window.click("Open a new table");
+    window.click("Open the table");
+    window.until("sits at a new table",
+                 [](const Json& shown) { return !shown.at("table").is_null(); });
 }
 
 void until_turn(TestWindow& window) {

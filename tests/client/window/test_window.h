@@ -8,6 +8,7 @@
 #include "tests/support/temporary_folder.h"
 
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -36,6 +37,8 @@ class TestWindow {
 
     /// Opened with these options besides its own display, data and report; its menu is there.
     explicit TestWindow(const std::vector<std::string>& options = {});
+    /// With the data of another one: the same profile.
+    TestWindow(const std::filesystem::path& data, const std::vector<std::string>& options);
 
     /// The newest report that was waited for.
     const Json& seen() const { return seen_; }
@@ -70,12 +73,14 @@ class TestWindow {
     Point pocket(int number) const;
 
     support::Process& program() { return program_; }
+    std::filesystem::path data() const { return data_; }
 
   private:
     std::vector<std::string> hand(std::vector<std::string> words) const;
     bool read(std::chrono::steady_clock::time_point deadline);
 
     support::TemporaryFolder folder_;
+    std::filesystem::path data_;
     support::Display display_;
     support::FollowedFile report_;
     support::Process program_;
@@ -88,6 +93,8 @@ void sit_down(TestWindow& window);
 /// Until somebody may shoot here; chooses what the rules offer, and starts the next match.
 void until_turn(TestWindow& window);
 bool may_shoot(const Json& shown);
+/// Through the list of tables of a server, to a new one there.
+void open_table(TestWindow& window);
 /// The first button that the rules offer instead of a shot; empty: none.
 std::string offered(const Json& shown);
 /// With the mouse, at the first object ball that lies.

@@ -14,11 +14,8 @@ namespace {
 class WindowsTogether : public testing::Test {
   protected:
     WindowsTogether() {
-        ada_.click("Open a new table");
-        ada_.until("sits down", is_at_table);
         for (TestWindow* guest : {&grace_, &mary_}) {
-            guest->click("Look again");
-            guest->click(fmt::format("Table {}", ada_.seen().at("table").at("id").get<int>()));
+            guest->click(fmt::format("Table {}", table_));
             guest->until("comes to the table", is_at_table);
         }
         ada_.click("Start");
@@ -30,6 +27,10 @@ class WindowsTogether : public testing::Test {
         }
     }
 
+    static int opened_by(TestWindow& window) {
+        open_table(window);
+        return window.seen().at("table").at("id").get<int>();
+    }
     static bool is_at_table(const Json& shown) { return !shown.at("table").is_null(); }
     static const Json& match(const TestWindow& window) {
         return window.seen().at("table").at("match");
@@ -67,6 +68,7 @@ class WindowsTogether : public testing::Test {
     tools::TestServer server_;
     std::string address_ = to_text(server_.address());
     TestWindow ada_{{"--server", address_, "--name", "Ada"}};
+    const int table_ = opened_by(ada_);
     TestWindow grace_{{"--server", address_, "--name", "Grace"}};
     TestWindow mary_{{"--server", address_, "--name", "Mary", "--watch"}};
     std::array<TestWindow*, 3> all_{&ada_, &grace_, &mary_};

@@ -1,0 +1,124 @@
+// Plays in two windows at one server, where things go wrong or are agreed upon; gives whether both
+// go on without help from outside.
+#include "tests/client/window/test_window.h"
+#include "tests/tools/test_server.h"
+
+#include <chrono>
+#include <csignal>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace billiards::client {
+namespace {
+
+bool is_at_table(const Json& shown) {
+    return !shown.at("table").is_null();
+}
+
+bool is_playing(const Json& shown) {
+    return is_at_table(shown) && !shown.at("table").at("match").is_null() &&
+           shown.at("table").at("match").at("stage") != 2;
+}
+
+class WindowsApart : public testing::Test {
+  protected:
+    /// Claims are not waited for.
+    static server::LobbyLimits limits() {
+        server::LobbyLimits limits;
+        limits.absence_grace = base::Duration::zero();
+        return limits;
+    }
+
+    void open(std::optional<TestWindow>& window, const std::string& name,
+              const std::string& to = "") {
+        window.emplace(
+            std::vector<std::string>{"--server", to.empty() ? address_ : to, "--name", name});
+    }
+
+    /// Ada opens a table, Grace sits down there, both are ready.
+    void start_match() {
+        open(ada_, "Ada");
+        open_table(*ada_);
+        open(grace_, "Grace");
+        grace_->click(fmt::format("Table {}", ada_->seen().at("table").at("id").get<int>()));
+        grace_->until("comes to the table", is_at_table);
+        start("Start");
+    }
+    void start(const std::string& button) {
+        for (auto* window : {&ada_, &grace_}) {
+            (*window)->until("knows that both are there", [](const Json& shown) {
+                return shown.at("information").back() != "Waiting for a second player.";
+            });
+        }
+        for (auto* window : {&ada_, &grace_}) (*window)->click(button);
+        for (auto* window : {&ada_, &grace_}) (*window)->until("sees it begin", is_playing);
+    }
+
+    TestWindow& breaker() {
+        const Json& table = ada_->seen().at("table");
+        const bool is_ada = table.at("seats").at(0) == table.at("match").at("to_act");
+        TestWindow& player = is_ada ? *ada_ : *grace_;
+        player.until("may break", may_shoot);
+        return player;
+    }
+
+    tools::TestServer server_{{}, limits()};
+    std::string address_ = to_text(server_.address());
+    std::optional<TestWindow> ada_;
+    std::optional<TestWindow> grace_;
+};
+
+TEST_F(WindowsApart, TheMatchOfAnOpponentWhoHasGoneIsClaimed) {
+    start_match();
+    grace_->program().signal(SIGKILL);
+    ada_->click("Claim the match");
+    ada_->until("has won",
+                [](const Json& shown) { return shown.at("table").at("match").at("stage") == 2; });
+}
+
+TEST_F(WindowsApart, AnExtensionAddsItsTime) {
+    start_match();
+    TestWindow& player = breaker();
+    const auto before_us = player.seen().at("table").at("deadline_us").get<std::int64_t>();
+    player.click("Extension");
+    player.until("has its extension",
+                 [](const Json& shown) { return !shown.at("controls").contains("Extension"); });
+    EXPECT_EQ(player.seen().at("table").at("deadline_us").get<std::int64_t>() - before_us,
+              30'000'000);
+}
+
+TEST_F(WindowsApart, ADrawIsOfferedAcceptedAndFollowedByARematch) {
+    start_match();
+    ada_->tap("Escape");
+    ada_->click("Offer a draw");
+    grace_->until_there("Accept");
+    EXPECT_EQ(grace_->seen().at("notes").back(), "Ada offers a draw.");
+    grace_->click("Accept");
+    for (auto* window : {&ada_, &grace_}) (*window)->until_there("Rematch");
+    ada_->click("Rematch");
+    grace_->until("hears of it", [](const Json& shown) {
+        return !shown.at("notes").empty() && shown.at("notes").back() == "Ada wants a rematch.";
+    });
+    grace_->click("Rematch");
+    for (auto* window : {&ada_, &grace_}) (*window)->until("sees it begin", is_playing);
+}
+
+TEST_F(WindowsApart, WhatIsSaidIsReadUntilItsSpeakerIsMuted) {
+    start_match();
+    ada_->click("Chat");
+    ada_->until("lets one type", [](const Json& shown) { return shown.at("typing") == true; });
+    ada_->fill("Say", "good luck");
+    ada_->tap("Return");
+    grace_->until("reads it", [](const Json& shown) {
+        return shown.at("chat").size() == 1 && shown.at("chat").at(0).at(1) == "good luck";
+    });
+    grace_->click("Mute " + grace_->seen().at("chat").at(0).at(0).get<std::string>());
+    grace_->until("has muted her", [](const Json& shown) { return shown.at("chat").empty(); });
+}
+
+}  // namespace
+}  // namespace billiards::client
