@@ -72,6 +72,46 @@ class WindowsApart : public testing::Test {
     std::optional<TestWindow> grace_;
 };
 
+TEST_F(WindowsApart, AQuickMatchBringsTwoToOneTable) {
+    for (auto* window : {&ada_, &grace_}) {
+        open(*window, window == &ada_ ? "Ada" : "Grace");
+        (*window)->click("Back");
+        (*window)->click("Quick match");
+        (*window)->click("Find a match");
+        (*window)->until("comes to a table", is_at_table);
+    }
+    EXPECT_EQ(ada_->seen().at("table").at("id"), grace_->seen().at("table").at("id"));
+    start("Start");
+}
+
+TEST_F(WindowsApart, APrivateTableIsFoundByItsInviteAlone) {
+    open(ada_, "Ada");
+    ada_->click("Open a new table");
+    ada_->click("Private");
+    ada_->until_there("Passcode");
+    ada_->click("Open the table");
+    ada_->until("sits at the private table", is_at_table);
+    ada_->click("Copy an invite");
+    ada_->until("has an invite", [](const Json& shown) { return shown.at("copied") != ""; });
+    open(grace_, "Grace");
+    grace_->until_there("A private table");
+    EXPECT_FALSE(
+        grace_->seen()
+            .at("controls")
+            .contains(fmt::format("Table {}", ada_->seen().at("table").at("id").get<int>())));
+    open(grace_, "Grace", ada_->seen().at("copied"));
+    grace_->until("comes by the invite", is_at_table);
+    start("Start");
+}
+
+TEST_F(WindowsApart, TheListOfTablesFollowsItsChanges) {
+    open(grace_, "Grace");
+    grace_->until_there("A private table");
+    open(ada_, "Ada");
+    open_table(*ada_);
+    grace_->until_there(fmt::format("Table {}", ada_->seen().at("table").at("id").get<int>()));
+}
+
 TEST_F(WindowsApart, TheMatchOfAnOpponentWhoHasGoneIsClaimed) {
     start_match();
     grace_->program().signal(SIGKILL);
@@ -118,6 +158,20 @@ TEST_F(WindowsApart, WhatIsSaidIsReadUntilItsSpeakerIsMuted) {
     });
     grace_->click("Mute " + grace_->seen().at("chat").at(0).at(0).get<std::string>());
     grace_->until("has muted her", [](const Json& shown) { return shown.at("chat").empty(); });
+}
+
+TEST_F(WindowsApart, AWatcherGoesBackToTheStartAndToTheLiveMatchAgain) {
+    start_match();
+    std::optional<TestWindow> mary;
+    mary.emplace(std::vector<std::string>{"--server", address_, "--name", "Mary", "--watch"});
+    mary->click(fmt::format("Table {}", ada_->seen().at("table").at("id").get<int>()));
+    mary->until("watches", is_playing);
+    mary->click("From the start");
+    mary->until("is at the start",
+                [](const Json& shown) { return shown.at("rewatching").is_array(); });
+    mary->click("Live");
+    mary->until("is live again",
+                [](const Json& shown) { return shown.at("rewatching").is_null(); });
 }
 
 }  // namespace
