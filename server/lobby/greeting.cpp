@@ -16,17 +16,10 @@ using protocol::RefusedCode;
 
 namespace {
 
-/// "#3f21": tells players of the same name apart.
-std::string new_discriminator(const RandomBytes& random) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
+std::uint16_t draw(const RandomBytes& random) {
     std::array<std::uint8_t, 2> bytes{};
     random(bytes);
-    std::string text = "#";
-    for (const std::uint8_t byte : bytes) {
-        text += kDigits[byte >> 4U];
-        text += kDigits[byte & 0xfU];
-    }
-    return text;
+    return static_cast<std::uint16_t>(bytes[0] * 256U + bytes[1]);
 }
 
 }  // namespace
@@ -51,10 +44,14 @@ void Lobby::World::enrol(const Heard& heard, const std::string& name) {
         refuse(around, heard.asker(), RefusedCode::TooMany, "players known to this server");
         return;
     }
+    auto shown = players.free_name(*clean, draw(around.random));
+    if (!shown) {
+        refuse(around, heard.asker(), RefusedCode::BadName, "too many players have this name");
+        return;
+    }
     const protocol::ResumeToken token = new_token(around.random);
-    Player& player = players.add({.player = {++last_player},
-                                  .name = *clean + new_discriminator(around.random),
-                                  .token_hash = hash_of(token)});
+    Player& player = players.add(
+        {.player = {++last_player}, .name = std::move(*shown), .token_hash = hash_of(token)});
     enter(heard, player, {.token = token, .followed = {}, .is_new = true});
 }
 
@@ -118,7 +115,10 @@ void Lobby::World::settle(base::Instant now, const Entering& entering, bool dura
 void Lobby::World::welcome(base::Instant now, Session& session, Player& player,
                            const Entering& entering) {
     Table* table = player.table ? table_of(*player.table) : nullptr;
-    if (table != nullptr && !table->has_place_for(player.stored.player)) table = nullptr;
+    if (table != nullptr && (!table->has_place_for(player.stored.player) ||
+                             table->access().is_kicked(player.stored.player))) {
+        table = nullptr;
+    }
     if (table == nullptr) player.table.reset();
     tell(session.id, protocol::server::Welcome{.name = player.stored.name,
                                                .token = entering.token,

@@ -3,7 +3,6 @@
 
 #include "server/lobby/world.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace billiards::server {
@@ -53,10 +52,11 @@ void Lobby::disconnected(base::Instant now, SessionId session) {
 }
 
 std::optional<base::Instant> Lobby::next_deadline() const {
-    const auto sessions = world_->session_deadlines.next();
-    const auto tables = world_->table_deadlines.next();
-    if (sessions && tables) return std::min(*sessions, *tables);
-    return sessions ? sessions : tables;
+    std::optional<base::Instant> next = world_->session_deadlines.next();
+    for (const auto other : {world_->table_deadlines.next(), world_->next_errand()}) {
+        if (other && (!next || *other < *next)) next = other;
+    }
+    return next;
 }
 
 void Lobby::advance_time(base::Instant now) {
@@ -66,6 +66,7 @@ void Lobby::advance_time(base::Instant now) {
     for (const protocol::TableId table : world_->table_deadlines.take_due(now)) {
         if (Table* known = world_->table_of(table)) world_->advance(now, *known, table);
     }
+    world_->run_errands(now);
 }
 
 void Lobby::shut_down(base::Instant /*now*/) {

@@ -7,6 +7,7 @@
 namespace billiards::server {
 
 namespace client = protocol::client;
+using protocol::RefusedCode;
 
 void Lobby::World::ask(const Heard& heard, Table::Command command) {
     table_at(heard).request(heard.now, heard.asker(), std::move(command));
@@ -31,6 +32,10 @@ void Lobby::World::on(const Heard& heard, const client::Aim& message) {
 }
 
 void Lobby::World::on(const Heard& heard, const client::TakeShot& message) {
+    if (!heard.session.unsolvable.has_room(heard.now)) {
+        refuse(around, heard.asker(), RefusedCode::TooMany, "shots that nobody can solve");
+        return;
+    }
     ask(heard, {.command = match::TakeShot{message.turn, message.shot, message.call},
                 .shot_id = message.shot_id});
 }

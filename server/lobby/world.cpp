@@ -5,9 +5,11 @@
 #include "common/protocol/codec.h"
 #include "server/session/phase.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace billiards::server {
 
@@ -19,8 +21,10 @@ Lobby::World::World(const LobbyLimits& limits, Outbox& outbox, Committer& commit
              .outbox = outbox,
              .committer = committer,
              .random = std::move(random),
-             .moved = [this](protocol::TableId table) { refresh_deadline(table); }},
-      archive(asked) {}
+             .moved = [this](protocol::TableId table) { refresh_deadline(table); },
+             .unsolvable = [this](SessionId session) { count_unsolvable(session); }},
+      archive(asked),
+      feed(limits.table_changes_every) {}
 
 void Lobby::World::connect(base::Instant now, SessionId id) {
     if (is_closing) {
@@ -36,6 +40,7 @@ void Lobby::World::connect(base::Instant now, SessionId id) {
 
 void Lobby::World::receive(base::Instant now, Session& session,
                            const protocol::ClientMessage& message) {
+    if (!around.stats.storage_failing) probed = now;
     if (session.phase != Phase::Greeting) session.heard = now;
     if (!is_legal(session.phase, message.body)) {
         refuse_illegal(now, session, message.request_id, RefusedCode::NotInThisPhase,
@@ -69,6 +74,7 @@ void Lobby::World::forget(base::Instant now, Session& session) {
     }
     if (session.player) players.find(*session.player)->session.reset();
     session_deadlines.set(session.id, std::nullopt);
+    feed.unfollow(session.id);
     sessions.erase(session.id);
 }
 
@@ -108,12 +114,51 @@ void Lobby::World::close_table(protocol::TableId id) {
     });
     table_deadlines.set(id, std::nullopt);
     tables.erase(id);
+    feed.touch(id);
     table_list.reset();
 }
 
 void Lobby::World::refresh_deadline(protocol::TableId id) {
     const Table* table = table_of(id);
-    if (table != nullptr) table_deadlines.set(id, table->next_deadline());
+    if (table == nullptr) return;
+    table_deadlines.set(id, table->next_deadline());
+    feed.touch(id);
+}
+
+std::optional<base::Instant> Lobby::World::next_errand() const {
+    const auto change = feed.due();
+    const auto probe = probe_due();
+    if (change && probe) return std::min(*change, *probe);
+    return change ? change : probe;
+}
+
+void Lobby::World::run_errands(base::Instant now) {
+    if (!around.stats.storage_failing) probed = now;
+    if (const auto due = feed.due(); due && *due <= now) tell_followers(now);
+    if (const auto due = probe_due(); due && *due <= now) probe_storage(now);
+}
+
+std::optional<base::Instant> Lobby::World::probe_due() const {
+    if (!around.stats.storage_failing || is_probing) return std::nullopt;
+    return probed + around.limits.storage_probe_every;
+}
+
+/// Writes what is durable already, for only a write finds out whether the disk takes one. Where
+/// nobody is known yet, there is nothing to write, and the next player to come finds it out.
+void Lobby::World::probe_storage(base::Instant now) {
+    is_probing = true;
+    probed = now;
+    std::vector<Write> writes;
+    if (const Player* player = players.anyone()) writes.push_back(SavePlayer{player->stored});
+    around.committer.submit(std::move(writes), [this](const Committed& committed) {
+        is_probing = false;
+        around.stats.storage_failing = !committed.result.ok();
+    });
+}
+
+/// At the time of its last message: the refusal may have waited for a disk.
+void Lobby::World::count_unsolvable(SessionId id) {
+    if (Session* session = session_of(id)) session->unsolvable.allows(session->heard);
 }
 
 Session* Lobby::World::session_of(SessionId id) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "server/lobby/lobby.h"
+#include "server/lobby/table_feed.h"
 #include "server/session/deadlines.h"
 #include "server/session/players.h"
 #include "server/session/session.h"
@@ -51,10 +52,16 @@ struct Lobby::World {
     void advance(base::Instant now, Table& table, protocol::TableId id);
     void close_table(protocol::TableId id);
     void refresh_deadline(protocol::TableId id);
+    void count_unsolvable(SessionId id);
     Session* session_of(SessionId id);
     Table* table_of(protocol::TableId id);
     void tell(SessionId to, const protocol::ServerMessage& message);
     void announce(const protocol::server::Notice& notice);
+    /// When the next thing is to be done that no session or table waits for.
+    std::optional<base::Instant> next_errand() const;
+    void run_errands(base::Instant now);
+    std::optional<base::Instant> probe_due() const;
+    void probe_storage(base::Instant now);
 
     // restore.cpp: what was durable when the server started; the error says why it stays away
     base::Result<base::Done, std::string> restore(base::Instant now, const StoredWorld& world,
@@ -98,24 +105,45 @@ struct Lobby::World {
     void on(const Heard& heard, const protocol::client::MakeInvite& message);
     void on(const Heard& heard, const protocol::client::RevokeInvites& message);
     void on(const Heard& heard, const protocol::client::Kick& message);
+    Table* owned_table(const Heard& heard, const char* otherwise);
+    bool is_at(const Player& player, protocol::TableId id);
+    void send_away(const Heard& heard, Table& table, Player& guest);
+    void pass_on(base::Instant now, Table& table);
 
-    // requests.cpp: everything else that may be said
-    void on(const Heard& heard, const protocol::client::ListTables& message);
+    // places.cpp: who sits or stands where
     void on(const Heard& heard, const protocol::client::CreateTable& message);
     void on(const Heard& heard, const protocol::client::Join& message);
-    void on(const Heard& heard, const protocol::client::Leave& message);
-    void on(const Heard& heard, const protocol::client::Chat& message);
-    void on(const Heard& heard, const protocol::client::Ping& message);
-    void on(const Heard& heard, const protocol::client::FollowTables& message);
     void on(const Heard& heard, const protocol::client::QuickMatch& message);
+    void on(const Heard& heard, const protocol::client::Leave& message);
+    void open_table(const Heard& heard, const std::string& name, const match::Settings& settings,
+                    Access access, protocol::Role role);
+    std::optional<protocol::TableId> waiting_table(const match::Settings& settings,
+                                                   PlayerId asker) const;
+    void take_place(const Heard& heard, protocol::TableId id, protocol::Role role,
+                    const Shown& shown);
+    void return_to_lobby(base::Instant now, Session& session);
+    void close_idle_table_of(Player& player);
+
+    // following.cpp: which tables there are
+    void on(const Heard& heard, const protocol::client::ListTables& message);
+    void on(const Heard& heard, const protocol::client::FollowTables& message);
+    void tell_followers(base::Instant now);
+    void send_tables(base::Instant now, SessionId to);
+    /// None where the table is not in the list.
+    std::optional<protocol::server::TableRow> public_row(protocol::TableId id);
+
+    // questions.cpp: what has been played
     void on(const Heard& heard, const protocol::client::AskHistory& message);
     void on(const Heard& heard, const protocol::client::AskRecord& message);
     void on(const Heard& heard, const protocol::client::AskReplay& message);
+    void inquire(const Heard& heard, Question question);
+    void hand_on(const Asker& asker, const ArchiveAnswer& answer);
+
+    // requests.cpp: the rest, and what all requests need
+    void on(const Heard& heard, const protocol::client::Chat& message);
+    void on(const Heard& heard, const protocol::client::Ping& message);
     bool may_ask_lobby(const Heard& heard);
     bool refuse_while_closing(const Heard& heard);
-    void take_place(const Heard& heard, protocol::TableId id, protocol::Role role);
-    void close_idle_table_of(Player& player);
-    void send_tables(base::Instant now, SessionId to);
     Table& table_at(const Heard& heard);
     Player& player_at(const Heard& heard);
 
@@ -134,6 +162,10 @@ struct Lobby::World {
         base::Instant made;
     };
     std::optional<TableListFrame> table_list;
+    TableFeed feed;
+
+    bool is_probing = false;  ///< A probe of the disk is on its way.
+    base::Instant probed{};  ///< When it was last tried so, or did not fail yet.
 
     std::uint64_t last_player = 0;
     std::uint32_t last_table = 0;

@@ -65,6 +65,8 @@ std::vector<MetricFamily> families_of(const LobbyStats& lobby) {
         gauge("billiards_matches_running", "Matches being played", lobby.matches_running),
         counter("billiards_shots_total", "Shots played", lobby.shots),
         counter("billiards_refusals_total", "Requests that were refused", lobby.refusals),
+        counter("billiards_unsolvable_shots_total",
+                "Shots refused because too much happens in them", lobby.unsolvable),
         gauge("billiards_storage_failing", "1 while the last commit failed",
               lobby.storage_failing ? 1 : 0),
     };

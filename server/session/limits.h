@@ -16,13 +16,15 @@ struct LobbyLimits {
     int max_players = 1'000'000;  ///< Guests known at once.
 
     int lobby_requests_per_10s = 30;  ///< A session's lists, openings, joins and leaves together.
+    int questions_waiting = 1;        ///< A session's, of what has been played.
     int chat_per_10s = 8;             ///< A session.
     int table_chat_per_10s = 100;     ///< All sessions at one table together.
     int placements_per_10s = 20;      ///< Balls set down at one table.
     int practice_shots_per_s = 5;     ///< At one table; a match of two waits for its balls.
     int aim_per_s_to_players = 10;
     int aim_per_s_to_spectators = 4;
-    int illegal_messages = 20;  ///< Refused for their phase or form, before the session is closed.
+    int unsolvable_per_min = 6;  ///< A session's shots that nobody can solve: each costs its time.
+    int illegal_messages = 20;   ///< Refused for their phase or form, before the session is closed.
 
     /// Of one table, while one step is on its way to the disk.
     std::size_t queued_commands = 8;
@@ -52,6 +54,10 @@ struct LobbyLimits {
     base::Duration shot_grace = std::chrono::milliseconds(250);
     /// How old the rows of a table list may be.
     base::Duration table_list_kept = std::chrono::milliseconds(100);
+    /// How often whoever follows the list is told what changed in it, at most.
+    base::Duration table_changes_every = std::chrono::milliseconds(500);
+    /// How often the disk is tried while it fails, so that readiness comes back by itself.
+    base::Duration storage_probe_every = std::chrono::seconds(5);
     /// How often spectators coming and going are announced, at most.
     base::Duration spectator_count_every = std::chrono::seconds(1);
 };

@@ -3,16 +3,30 @@
 
 #include "common/base/check.h"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
 namespace billiards::server {
+namespace {
+
+std::string discriminator(std::uint16_t number) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text = "#0000";
+    for (std::size_t place = text.size() - 1; place > 0; --place, number >>= 4U) {
+        text[place] = kDigits[number & 0xfU];
+    }
+    return text;
+}
+
+}  // namespace
 
 Player& Players::add(StoredPlayer stored) {
     const PlayerId id = stored.player;
     const auto [place, added] = by_id_.emplace(id, Player{.stored = std::move(stored)});
     CHECK(added);
     index(place->second);
+    by_name_.emplace(place->second.stored.name, id);
     return place->second;
 }
 
@@ -20,6 +34,9 @@ void Players::remove(PlayerId player) {
     const auto known = by_id_.find(player);
     CHECK(known != by_id_.end());
     forget_all(known->second);
+    const auto [first, last] = by_name_.equal_range(known->second.stored.name);
+    by_name_.erase(
+        std::find_if(first, last, [&](const auto& one) { return one.second == player; }));
     by_id_.erase(known);
 }
 
@@ -37,6 +54,20 @@ Player* Players::find(const TokenHash& hash) {
         if (previous && is_equal(*previous, hash)) return &player;
     }
     return nullptr;
+}
+
+Player* Players::find_named(std::string_view name) {
+    const auto known = by_name_.find(name);
+    return known == by_name_.end() ? nullptr : &by_id_.at(known->second);
+}
+
+std::optional<std::string> Players::free_name(const std::string& name, std::uint16_t draw) const {
+    std::uint16_t number = draw;
+    do {
+        std::string shown = name + discriminator(number);
+        if (!by_name_.contains(shown)) return shown;
+    } while (++number != draw);
+    return std::nullopt;
 }
 
 void Players::rotate(Player& player, const TokenHash& used, const TokenHash& fresh) {

@@ -1,4 +1,5 @@
-// Gives everyone the server knows: found by id, or by the secret that only they hold.
+// Gives everyone the server knows: found by id, by the name that all see, or by the secret that
+// only they hold.
 #pragma once
 
 #include "common/protocol/messages.h"
@@ -10,6 +11,8 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
+#include <string_view>
 
 namespace billiards::server {
 
@@ -26,9 +29,18 @@ class Players {
     void remove(PlayerId player);
 
     std::size_t size() const { return by_id_.size(); }
+    /// The one with the lowest id; none where there is nobody.
+    const Player* anyone() const { return by_id_.empty() ? nullptr : &by_id_.begin()->second; }
     Player* find(PlayerId player);
     /// Whose current or previous token has this hash.
     Player* find(const TokenHash& hash);
+    /// By the whole name as shown. Where a database from before names were unique has several, one
+    /// of them.
+    Player* find_named(std::string_view name);
+
+    /// `name` with a discriminator such as "#3f21" that no other player of this name has: the first
+    /// free one from `draw` on. None where all are taken.
+    std::optional<std::string> free_name(const std::string& name, std::uint16_t draw) const;
 
     /// A new token for the one just used, which stays good until `confirm`. Any other dies.
     void rotate(Player& player, const TokenHash& used, const TokenHash& fresh);
@@ -45,6 +57,8 @@ class Players {
 
     std::map<PlayerId, Player> by_id_;
     std::multimap<std::uint64_t, PlayerId> by_lead_;
+    /// The names stand in by_id_, whose players stay where they are.
+    std::multimap<std::string_view, PlayerId> by_name_;
 };
 
 }  // namespace billiards::server

@@ -20,7 +20,8 @@ struct Session {
         : id(session),
           heard(now),
           lobby_requests(limits.lobby_requests_per_10s, std::chrono::seconds(10)),
-          chat(limits.chat_per_10s, std::chrono::seconds(10)) {}
+          chat(limits.chat_per_10s, std::chrono::seconds(10)),
+          unsolvable(limits.unsolvable_per_min, std::chrono::minutes(1)) {}
 
     SessionId id;
     Phase phase = Phase::Greeting;
@@ -28,8 +29,10 @@ struct Session {
     std::optional<PlayerId> player;          ///< From Entering on.
     std::optional<protocol::TableId> table;  ///< Exactly while Watching or Seated.
     int illegal_messages = 0;
+    int questions = 0;  ///< That the archive has not answered yet.
     RateLimit lobby_requests;
     RateLimit chat;
+    RateLimit unsolvable;
 
     /// When it is closed, if it says nothing more.
     base::Instant expires() const {

@@ -33,6 +33,10 @@ void refuse(Surroundings& around, const Asker& asker, protocol::RefusedCode code
 }
 
 void refuse(Surroundings& around, const Asker& asker, const match::Refusal& refusal) {
+    if (refusal.code == match::RefusalCode::Unsolvable) {
+        ++around.stats.unsolvable;
+        around.unsolvable(asker.session);
+    }
     deliver(around, asker,
             {.code = protocol::RefusedCode::Match,
              .match_code = refusal.code,

@@ -19,6 +19,7 @@ struct LobbyStats {
     std::size_t matches_running = 0;
     std::uint64_t shots = 0;
     std::uint64_t refusals = 0;
+    std::uint64_t unsolvable = 0;  ///< Of those, shots in which too much happens.
     bool storage_failing = false;  ///< The last commit failed: not ready.
 };
 
@@ -30,6 +31,8 @@ struct Surroundings {
     RandomBytes random;
     /// A disk has answered and the table with this id moved on: its deadline and row may differ.
     std::function<void(protocol::TableId)> moved;
+    /// This session's shot was refused as unsolvable.
+    std::function<void(SessionId)> unsolvable;
     std::uint64_t last_match = 0;  ///< The highest MatchId given so far.
     LobbyStats stats{};            ///< The counters; sessions, tables and matches are counted late.
 };

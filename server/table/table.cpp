@@ -128,6 +128,15 @@ base::Result<base::Done, RefusedCode> Table::leave(base::Instant now, SessionId 
     return base::Done{};
 }
 
+base::Result<base::Done, RefusedCode> Table::vacate(base::Instant now, PlayerId player) {
+    if (!is_between_matches()) return RefusedCode::MatchRunning;
+    for (const Seat seat : kSeats) {
+        if (seating_[seat] && seating_[seat]->player == player) seating_.vacate(seat);
+    }
+    seats_changed(now);
+    return base::Done{};
+}
+
 void Table::lose(base::Instant now, SessionId session) {
     const bool seated = !seating_.seats_of(session).empty();
     seating_.lose(session);
@@ -205,6 +214,11 @@ base::Result<base::Done, RefusedCode> Table::change_settings(base::Instant now,
     announce_change(now);
     delay_gallery(now, picture());
     return base::Done{};
+}
+
+void Table::owner_changed(base::Instant now) {
+    save();
+    announce_change(now);
 }
 
 bool Table::is_abandoned(base::Instant now) const {

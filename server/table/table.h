@@ -67,6 +67,8 @@ class Table {
     void refresh(base::Instant now, SessionId session);
     /// Refused to players while a match runs.
     base::Result<base::Done, protocol::RefusedCode> leave(base::Instant now, SessionId session);
+    /// Frees the player's seats, connected or not. MatchRunning while one is played.
+    base::Result<base::Done, protocol::RefusedCode> vacate(base::Instant now, PlayerId player);
     void lose(base::Instant now, SessionId session);
     /// Tells those who are left; the match, if one runs, ends without a winner. No step may be on
     /// its way.
@@ -77,6 +79,8 @@ class Table {
     /// For the next match; whoever was ready is asked again. MatchRunning while one is played.
     base::Result<base::Done, protocol::RefusedCode> change_settings(
         base::Instant now, const match::Settings& settings);
+    /// Another one owns the table from now on.
+    void owner_changed(base::Instant now);
 
     /// What a player asks of the match.
     struct Command {

@@ -2,6 +2,7 @@
 // come back after a restart, and against a disk that fails.
 #include "server/server.h"
 
+#include "common/protocol/limits.h"
 #include "server/store/sqlite_store.h"
 #include "tests/server/net/raw_client.h"
 #include "tests/support/temporary_folder.h"
@@ -144,6 +145,24 @@ TEST(Server, BringsAMatchAndItsPlayersBackAfterARestart) {
     EXPECT_EQ(snapshot->row.name, "Friday");
     restarted.server->stop();
     EXPECT_THAT(restarted.log_text.str(), HasSubstr("restored 1 of 1 tables"));
+}
+
+TEST(Server, SaysWhatIsWrongWithANameBeforeItCloses) {
+    const TemporaryFolder folder;
+    const Running running(folder);
+    const std::string too_long(protocol::kMaxGreetingFrameBytes, 'x');
+    for (const std::string& name : {std::string(), std::string("a\x07"), std::string("\xff"),
+                                    std::string(protocol::kMaxNameLength + 1, 'x'), too_long}) {
+        RawClient connection(running.server->port());
+        connection.send_preamble();
+        ASSERT_TRUE(connection.receive_preamble());
+        connection.send({1, client::Hello{.name = name, .token = {}}});
+        const auto refused = connection.receive_next<said::Refused>();
+        ASSERT_TRUE(refused) << name;
+        EXPECT_THAT(refused->code, testing::AnyOf(protocol::RefusedCode::BadName,
+                                                  protocol::RefusedCode::Malformed));
+        EXPECT_FALSE(refused->detail.empty());
+    }
 }
 
 TEST(Server, AnswersBytesThatAreNoMessageAndGoesOn) {

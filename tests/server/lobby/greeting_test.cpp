@@ -2,6 +2,7 @@
 #include "tests/server/support/game_test.h"
 
 #include <gtest/gtest.h>
+#include <set>
 #include <string>
 
 namespace billiards::server {
@@ -17,6 +18,20 @@ TEST_F(GreetingTest, GivesANameWithADiscriminatorAndAToken) {
     EXPECT_EQ(welcome.name.find_first_not_of("0123456789abcdef", 4), std::string::npos);
     EXPECT_NE(welcome.token, protocol::ResumeToken{});
     EXPECT_EQ(welcome.table, std::nullopt);
+}
+
+TEST_F(GreetingTest, GivesNoTwoPlayersTheSameName) {
+    std::set<std::string> names;
+    for (int i = 0; i < 1000; ++i) names.insert(last<told::Welcome>(greet("Ada")).name);
+    EXPECT_EQ(names.size(), 1000U);
+}
+
+TEST_F(GreetingTest, GivesNoNameOfAPlayerFromBeforeARestart) {
+    std::set<std::string> names;
+    for (int i = 0; i < 500; ++i) names.insert(last<told::Welcome>(greet("Ada")).name);
+    restart();
+    for (int i = 0; i < 500; ++i) names.insert(last<told::Welcome>(greet("Ada")).name);
+    EXPECT_EQ(names.size(), 1000U);
 }
 
 TEST_F(GreetingTest, WelcomesOnlyOnceThePlayerIsDurable) {

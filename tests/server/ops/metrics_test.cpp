@@ -42,6 +42,7 @@ TEST(Metrics, NamesWhatTheGameCounts) {
     lobby.matches_running = 6;
     lobby.shots = 1'000'000;
     lobby.refusals = 8;
+    lobby.unsolvable = 2;
     lobby.storage_failing = true;
     const std::string text = metrics_text({}, lobby, CommitMetrics());
     EXPECT_THAT(text, HasSubstr("\nbilliards_sessions 2\n"));
@@ -49,6 +50,7 @@ TEST(Metrics, NamesWhatTheGameCounts) {
     EXPECT_THAT(text, HasSubstr("\nbilliards_matches_running 6\n"));
     EXPECT_THAT(text, HasSubstr("\nbilliards_shots_total 1000000\n"));
     EXPECT_THAT(text, HasSubstr("\nbilliards_refusals_total 8\n"));
+    EXPECT_THAT(text, HasSubstr("\nbilliards_unsolvable_shots_total 2\n"));
     EXPECT_THAT(text, HasSubstr("\nbilliards_storage_failing 1\n"));
 }
 

@@ -152,6 +152,8 @@ TEST_F(ShotClockTest, IsNotThereWhereTheSettingsSayNone) {
 }
 
 TEST_F(ShotClockTest, TriesARulingThatCouldNotBeStoredAgainOnlyAfterAFullClock) {
+    limits.storage_probe_every = 1h;
+    start();
     start_match(settings);
     disk_is_slow = true;
     pass_until(-limits.shot_grace);
