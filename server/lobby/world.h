@@ -165,7 +165,7 @@ struct Lobby::World {
     TableFeed feed;
 
     bool is_probing = false;  ///< A probe of the disk is on its way.
-    base::Instant probed{};  ///< When it was last tried so, or did not fail yet.
+    base::Instant probed{};   ///< When it was last tried so, or did not fail yet.
 
     std::uint64_t last_player = 0;
     std::uint32_t last_table = 0;
