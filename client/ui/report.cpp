@@ -37,6 +37,15 @@ Json shot_of(const ShotControl& control) {
             {"call", call_of(control.call())},      {"pulled", control.is_pulled()}};
 }
 
+/// What may be said instead of a ball and a pocket.
+Json may_say_of(const Screen& screen) {
+    const Offered offered = screen.game.offered(screen.now);
+    Json words = Json::array();
+    if (offered.safety) words.push_back("safety");
+    if (offered.push_out) words.push_back("push-out");
+    return words;
+}
+
 Json camera_of(const Screen& screen) {
     const Camera& camera = screen.camera;
     const base::Vec3& target = camera.target_m();
@@ -157,6 +166,7 @@ std::string report_of(const Screen& screen) {
         {"connected", screen.game.is_connected()},
         {"acting", acting ? Json(static_cast<int>(*acting)) : Json(nullptr)},
         {"cue_ball", cue_ball_m ? Json{cue_ball_m->x, cue_ball_m->y} : Json(nullptr)},
+        {"may_say", may_say_of(screen)},
         {"placing", screen.game.placing().has_value()},
         {"set_down", screen.game.placing() && screen.game.placing()->is_down()},
         {"called_ball", screen.called_ball ? Json(screen.called_ball->number) : Json(nullptr)},

@@ -235,9 +235,11 @@ TEST_F(WindowHands, THidesTheAimLineAndShowsItAgain) {
 }
 
 TEST_F(WindowHands, CForgetsTheCall) {
-    window_.click("Safety");
-    window_.until("says safety",
-                  [](const Json& shown) { return shown.at("shot").at("call") == "safety"; });
+    window_.click(window_.ball(1));
+    window_.until("marks the ball", [](const Json& shown) { return shown.at("called_ball") == 1; });
+    window_.click(window_.pocket(3));
+    window_.until("calls the ball",
+                  [](const Json& shown) { return shown.at("shot").at("call").is_object(); });
     window_.tap("c");
     window_.until("calls nothing",
                   [](const Json& shown) { return shown.at("shot").at("call").is_null(); });

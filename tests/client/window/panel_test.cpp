@@ -106,23 +106,26 @@ TEST_F(WindowPanel, ABallAndThenAPocketThatAreClickedAreTheCall) {
     EXPECT_TRUE(window_.seen().at("called_ball").is_null());
 }
 
-TEST_F(WindowPanel, SafetyIsSaidAndTakenBack) {
-    window_.click("Safety");
-    until_call("safety");
-    window_.click("Safety");
+TEST_F(WindowPanel, WhatMayNotBeSaidOfABreakCannotBeClicked) {
+    window_.click("No Call");
     until_call(nullptr);
+    for (const char* name : {"Safety", "Push-out"}) {
+        window_.click(name);
+        const double power = window_.seen().at("shot").at("power");
+        window_.click("Power Down");
+        window_.until("has felt both clicks", [&](const Json& shown) {
+            return shown.at("shot").at("power").get<double>() < power;
+        });
+        EXPECT_TRUE(window_.seen().at("shot").at("call").is_null()) << name;
+    }
 }
 
-TEST_F(WindowPanel, PushOutIsSaidAndTakenBack) {
-    window_.click("Push-out");
-    until_call("push-out");
-    window_.click("Push-out");
-    until_call(nullptr);
-}
-
-TEST_F(WindowPanel, NoCallForgetsWhatWasSaid) {
-    window_.click("Safety");
-    until_call("safety");
+TEST_F(WindowPanel, NoCallForgetsWhatWasCalled) {
+    window_.click(window_.ball(1));
+    window_.until("marks the ball", [](const Json& shown) { return shown.at("called_ball") == 1; });
+    window_.click(window_.pocket(3));
+    window_.until("calls the ball",
+                  [](const Json& shown) { return shown.at("shot").at("call").is_object(); });
     window_.click("No Call");
     until_call(nullptr);
 }

@@ -79,5 +79,20 @@ TEST_F(WindowShots, InformationSaysWhatHappenedAndWhatFollows) {
     EXPECT_TRUE(said.back().get<std::string>().starts_with("Player ")) << said;
 }
 
+TEST_F(WindowShots, ASafetyIsSaidAndTakenBackOnceTheRackIsBroken) {
+    while (window_.seen().at("may_say").empty()) {
+        const int before = shots(window_.seen());
+        window_.tap("space");
+        until_played(before);
+        until_turn(window_);
+        aim_at_a_ball(window_);
+    }
+    for (const Json& call : {Json("safety"), Json(nullptr)}) {
+        window_.click("Safety");
+        window_.until("says it, or takes it back",
+                      [&](const Json& shown) { return shown.at("shot").at("call") == call; });
+    }
+}
+
 }  // namespace
 }  // namespace billiards::client
