@@ -41,9 +41,14 @@ void Gallery::add(base::Instant now, std::shared_ptr<const protocol::ServerMessa
                .after = {}});
 }
 
+/// A jump that waits already is shown in its time: else a queue that fills up again and again
+/// within the delay would never show anything.
 void Gallery::jump(base::Instant now, Picture to) {
+    std::optional<Item> earlier;
+    if (!queue_.empty() && !queue_.front().message) earlier = std::move(queue_.front());
     queue_.clear();
     bytes_ = 0;
+    if (earlier) queue_.push_back(std::move(*earlier));
     push(now, {.due = {},
                .message = nullptr,
                .bytes = 0,

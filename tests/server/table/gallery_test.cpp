@@ -252,6 +252,19 @@ TEST(Gallery, DropsRemarksAndJumpsOverEventsWhereTooMuchWaits) {
     EXPECT_TRUE(gallery.log().since(2).has_value());
 }
 
+TEST(Gallery, ShowsAJumpInItsTimeThoughTooMuchWaitsAgain) {
+    LobbyLimits limits;
+    limits.delayed_events = 3;
+    Gallery gallery{limits};
+    gallery.set_delay(10s, picture(0), 1);
+    for (std::uint64_t i = 1; i <= 4; ++i) gallery.add(at(0s), event(i), 100, picture(i));
+    for (std::uint64_t i = 5; i <= 7; ++i) gallery.add(at(2s), event(i), 100, picture(i));
+    ASSERT_EQ(gallery.take_due(at(10s)).size(), 1U);
+    EXPECT_EQ(gallery.shown().sequence, 4U);
+    ASSERT_EQ(gallery.take_due(at(12s)).size(), 1U);
+    EXPECT_EQ(gallery.shown().sequence, 7U);
+}
+
 TEST(Gallery, CountsTheBytesThatWait) {
     LobbyLimits limits;
     limits.delayed_bytes = 1000;
