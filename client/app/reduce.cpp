@@ -206,6 +206,7 @@ class Reduction {
     /// played since.
     void keep_last_shot(TableView& view) const {
         if (!state_.table || state_.table->row.table != view.row.table) return;
+        if (state_.table->over && view.match && view.match->stage != match::Stage::Over) return;
         const std::optional<server::ShotPlayed>& last = state_.table->last_shot;
         if (last && view.match && last->after.shots_played == view.match->shots_played) {
             view.last_shot = last;
@@ -215,10 +216,12 @@ class Reduction {
     /// How a match ended that was over before the snapshot; what MatchOver said of it is better.
     std::optional<server::MatchOver> end_of(const TableView& view) const {
         const match::MatchState& match = *view.match;
-        if (state_.table && state_.table->over && state_.table->row.table == view.row.table &&
-            state_.table->match && state_.table->match->shots_played == match.shots_played) {
-            return state_.table->over;
-        }
+        const bool is_same_end =
+            state_.table && state_.table->over && state_.table->row.table == view.row.table &&
+            state_.table->over->winner == match.winner &&
+            state_.table->over->racks_won == match.racks_won && state_.table->match &&
+            state_.table->match->shots_played == match.shots_played;
+        if (is_same_end) return state_.table->over;
         return server::MatchOver{.sequence = view.sequence,
                                  .winner = match.winner,
                                  .racks_won = match.racks_won,

@@ -55,6 +55,17 @@ TEST(Reduce, SnapshotOfTheSameRestKeepsTheLastShot) {
     EXPECT_FALSE(after({snapshot(5, {}, match_at(4, Seat::Second, 3))}, played).table->last_shot);
 }
 
+TEST(Reduce, SnapshotOfTheNextMatchTakesNothingOverFromTheOneThatEnded) {
+    const ClientState ended =
+        after({snapshot(1, {}, match_at(1, Seat::First)), shot(2, match_at(2, Seat::Second, 1)),
+               told::over(3, Seat::First)});
+    match::MatchState next = match_at(2, Seat::Second, 1);
+    EXPECT_FALSE(after({snapshot(9, {}, next)}, ended).table->last_shot);
+    next.stage = match::Stage::Over;
+    next.winner = Seat::Second;
+    EXPECT_EQ(after({snapshot(9, {}, next)}, ended).table->over->winner, Seat::Second);
+}
+
 TEST(Reduce, ShotMovesTheMatchOn) {
     const ClientState state = after({snapshot(1, {Seat::First}, match_at(1, Seat::First)),
                                      shot(2, match_at(2, Seat::Second, 1))});
