@@ -155,7 +155,7 @@ void Table::seats_changed(base::Instant now, std::optional<SessionId> except) {
     save();
     announce_seats(now, except);
     if (clock_.set_running(now, anyone)) announce_turn(now, except);
-    open_turn_if_all_have_seen(now);
+    open_turn_if_all_have_seen(now, except);
 }
 
 /// In a match it counts against a player that the opponent waits; what is spent stays spent until

@@ -168,8 +168,9 @@ class Table {
     bool are_players_of_last_match() const;
 
     // table_time.cpp: what waits for time
-    void open_turn(base::Instant now);
-    void open_turn_if_all_have_seen(base::Instant now);
+    void open_turn(base::Instant now, std::optional<SessionId> except = std::nullopt);
+    void open_turn_if_all_have_seen(base::Instant now,
+                                    std::optional<SessionId> except = std::nullopt);
     void free_seats_of_absent(base::Instant now);
     std::optional<base::Instant> clock_runs_out() const;
 

@@ -15,18 +15,18 @@ void Table::seen(base::Instant now, SessionId session, std::uint64_t sequence) {
     open_turn_if_all_have_seen(now);
 }
 
-void Table::open_turn_if_all_have_seen(base::Instant now) {
+void Table::open_turn_if_all_have_seen(base::Instant now, std::optional<SessionId> except) {
     if (!rolling_ || !clock_.is_waiting() || !seating_.is_anyone_connected()) return;
     const bool all = std::all_of(kSeats.begin(), kSeats.end(), [&](Seat seat) {
         return rolling_->seen[seat] || !seating_.is_connected(seat);
     });
-    if (all) open_turn(now);
+    if (all) open_turn(now, except);
 }
 
-void Table::open_turn(base::Instant now) {
+void Table::open_turn(base::Instant now, std::optional<SessionId> except) {
     rolling_.reset();
     clock_.open(now);
-    announce_turn(now);
+    announce_turn(now, except);
 }
 
 std::optional<base::Instant> Table::next_deadline() const {

@@ -52,6 +52,18 @@ TEST_F(ResumeTest, TellsWhatWasMissedInTheFramesOfTheOthers) {
     EXPECT_GE(frames_after(back, 0).size(), 2U);
 }
 
+TEST_F(ResumeTest, TellsOfATurnThatTheReturnOpensOnlyAfterWhatWasMissed) {
+    start_match();
+    take_turn(1);
+    say(ada, client::Seen{last<told::ShotPlayed>(ada).sequence});
+    const auto known = followed(ada);
+    disconnect(ada);
+    disconnect(grace);
+    const SessionId back = come_back_following(ada, known);
+    EXPECT_EQ(count<told::TurnOpened>(back), 1U);
+    EXPECT_EQ(frames_after(back, 0), frames_after(linus, known.sequence));
+}
+
 TEST_F(ResumeTest, TellsNothingAgainToWhoMissedNothingElse) {
     start_match();
     const SessionId back = come_back_following(ada, followed(ada));
