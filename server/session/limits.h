@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 
 namespace billiards::server {
 
@@ -20,7 +21,7 @@ struct LobbyLimits {
     int chat_per_10s = 8;             ///< A session.
     int table_chat_per_10s = 100;     ///< All sessions at one table together.
     int placements_per_10s = 20;      ///< Balls set down at one table.
-    int practice_shots_per_s = 5;     ///< At one table; a match of two waits for its balls.
+    int practice_shots_per_s = 5;  ///< At one table, and steps back; a match of two waits instead.
     int aim_per_s_to_players = 10;
     int aim_per_s_to_spectators = 4;
     int unsolvable_per_min = 6;  ///< A session's shots that nobody can solve: each costs its time.
@@ -28,6 +29,9 @@ struct LobbyLimits {
 
     /// Of one table, while one step is on its way to the disk.
     std::size_t queued_commands = 8;
+
+    /// Of one match's journal: then it can only be ended. No quota drops what is being played.
+    std::uint64_t entries_per_match = 20'000;
 
     int wrong_secrets_per_min = 5;       ///< Invites and passcodes tried at one table.
     std::size_t invites_per_table = 32;  ///< That stand at once.

@@ -180,6 +180,7 @@ class Table {
     bool refuse_claim(base::Instant now, const Request& request);
     void run(base::Instant now, const Request& request);
     bool answer_repeat(const Request& request);
+    bool refuse_too_long(const Request& request);
     bool refuse_early(const Request& request);
     bool refuse_stale(const Request& request);
     model::Seat acting_seat(const Request& request) const;

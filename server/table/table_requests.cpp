@@ -46,6 +46,20 @@ bool is_for_any_time(const match::Command& command) {
            std::holds_alternative<match::Forfeit>(command);
 }
 
+/// What ends a match, or may lead to that.
+bool is_about_an_end(const match::Command& command) {
+    return is_for_any_time(command) || std::holds_alternative<match::Offer>(command) ||
+           std::holds_alternative<match::Answer>(command);
+}
+
+/// What could be said to practice without an end: nothing else there waits for the balls.
+bool is_practised(const match::Command& command) {
+    return std::holds_alternative<match::TakeShot>(command) ||
+           std::holds_alternative<match::Undo>(command) ||
+           std::holds_alternative<match::Repeat>(command) ||
+           std::holds_alternative<match::Rerack>(command);
+}
+
 }  // namespace
 
 void Table::request(base::Instant now, const Asker& asker, Command command) {
@@ -69,8 +83,7 @@ bool Table::refuse_too_many(base::Instant now, const Asker& asker, const match::
         refuse(around_, asker, RefusedCode::TooMany, "placements of balls");
         return true;
     }
-    const bool practises = state.settings.game == rules::Game::Practice &&
-                           std::holds_alternative<match::TakeShot>(command);
+    const bool practises = state.settings.game == rules::Game::Practice && is_practised(command);
     if (practises && !practice_shots_.allows(now)) {
         refuse(around_, asker, RefusedCode::TooMany, "shots in practice");
         return true;
@@ -115,7 +128,7 @@ bool Table::refuse_claim(base::Instant now, const Request& request) {
 
 void Table::run(base::Instant now, const Request& request) {
     if (answer_repeat(request) || refuse_early(request) || refuse_stale(request)) return;
-    if (refuse_claim(now, request)) return;
+    if (refuse_claim(now, request) || refuse_too_long(request)) return;
     const Seat seat = acting_seat(request);
     auto applied = match::apply(match_->state, seat, request.what.command);
     if (!applied) {
@@ -128,6 +141,15 @@ void Table::run(base::Instant now, const Request& request) {
                  .entry = entry_of(seat, request.what.command, request.what.shot_id,
                                    std::move(step.outcome)),
                  .next = std::move(step.next)});
+}
+
+/// The clock goes on: it ends turns, and in the end the match.
+bool Table::refuse_too_long(const Request& request) {
+    const bool is_long = match_->entries >= around_.limits.entries_per_match;
+    if (!is_long || !request.asker || is_about_an_end(request.what.command)) return false;
+    refuse(around_, *request.asker, RefusedCode::TooMany,
+           "steps in this match: it can only be ended now");
+    return true;
 }
 
 /// A shot that was played already is shown again to the one who asks, not played again.

@@ -72,6 +72,28 @@ TEST_F(PracticeTest, LimitsHowOftenIsShot) {
     EXPECT_EQ(match_refusal(ada), match::RefusalCode::StaleTurn);
 }
 
+TEST_F(PracticeTest, LimitsHowOftenItIsRackedAgain) {
+    start_practice();
+    for (int i = 0; i < limits.practice_shots_per_s; ++i) {
+        say(ada, client::Rerack{});
+        EXPECT_EQ(refusal(ada), std::nullopt);
+    }
+    say(ada, client::Rerack{});
+    EXPECT_EQ(refusal(ada), RefusedCode::TooMany);
+}
+
+TEST_F(PracticeTest, CanOnlyBeEndedOnceItsJournalIsFull) {
+    limits.entries_per_match = 2;
+    start();
+    start_practice();
+    for (int i = 0; i < 2; ++i) say(ada, client::PlaceBall{model::kEightBall, {0.2, 0.1 * i}});
+    EXPECT_EQ(refusal(ada), std::nullopt);
+    say(ada, client::Undo{});
+    EXPECT_EQ(refusal(ada), RefusedCode::TooMany);
+    say(ada, client::Concede{});
+    EXPECT_EQ(count<told::MatchOver>(ada), 1U);
+}
+
 TEST_F(PracticeTest, IsNotWhatAMatchOfTwoIs) {
     start_match();
     say(shooter(), client::PlaceBall{model::kEightBall, {0.2, 0.3}});
