@@ -52,6 +52,7 @@ void Lobby::disconnected(base::Instant now, SessionId session) {
 }
 
 std::optional<base::Instant> Lobby::next_deadline() const {
+    if (world_->are_saves_due()) return base::Instant{};  // At once.
     std::optional<base::Instant> next = world_->session_deadlines.next();
     for (const auto other : {world_->table_deadlines.next(), world_->next_errand()}) {
         if (other && (!next || *other < *next)) next = other;
@@ -60,6 +61,7 @@ std::optional<base::Instant> Lobby::next_deadline() const {
 }
 
 void Lobby::advance_time(base::Instant now) {
+    if (world_->are_saves_due()) world_->save_what_failed();
     for (const SessionId session : world_->session_deadlines.take_due(now)) {
         if (Session* known = world_->session_of(session)) world_->expire(now, *known);
     }

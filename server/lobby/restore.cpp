@@ -69,7 +69,11 @@ base::Result<base::Done, std::string> Lobby::World::restore(base::Instant now,
     place->second.restore(now, *sitters, *played);
     if (owner != nullptr) owner->opened = id;
     for (const model::Seat seat : model::kSeats) {
-        if ((*sitters)[seat]) players.find((*sitters)[seat]->player)->table = id;
+        if (!(*sitters)[seat]) continue;
+        Player& sitter = *players.find((*sitters)[seat]->player);
+        // A seat that was left may still be stored, where the disk failed; a match leads back.
+        const Table* other = sitter.table ? table_of(*sitter.table) : nullptr;
+        if (other == nullptr || !other->is_playing()) sitter.table = id;
     }
     refresh_deadline(id);
     return base::Done{};

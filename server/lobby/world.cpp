@@ -161,6 +161,12 @@ void Lobby::World::count_unsolvable(SessionId id) {
     if (Session* session = session_of(id)) session->unsolvable.allows(session->heard);
 }
 
+void Lobby::World::save_what_failed() {
+    for (const protocol::TableId id : std::exchange(around.unsaved, {})) {
+        if (Table* table = table_of(id)) table->save_again();
+    }
+}
+
 Session* Lobby::World::session_of(SessionId id) {
     const auto known = sessions.find(id);
     return known == sessions.end() ? nullptr : &known->second;

@@ -53,6 +53,9 @@ struct Lobby::World {
     void close_table(protocol::TableId id);
     void refresh_deadline(protocol::TableId id);
     void count_unsolvable(SessionId id);
+    /// Tables whose rows a disk did not take that works again.
+    bool are_saves_due() const { return !around.stats.storage_failing && !around.unsaved.empty(); }
+    void save_what_failed();
     Session* session_of(SessionId id);
     Table* table_of(protocol::TableId id);
     void tell(SessionId to, const protocol::ServerMessage& message);

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <set>
 
 namespace billiards::server {
 
@@ -33,8 +34,9 @@ struct Surroundings {
     std::function<void(protocol::TableId)> moved;
     /// This session's shot was refused as unsolvable.
     std::function<void(SessionId)> unsolvable;
-    std::uint64_t last_match = 0;  ///< The highest MatchId given so far.
-    LobbyStats stats{};            ///< The counters; sessions, tables and matches are counted late.
+    std::uint64_t last_match = 0;           ///< The highest MatchId given so far.
+    std::set<protocol::TableId> unsaved{};  ///< Tables whose last SaveTable failed.
+    LobbyStats stats{};  ///< The counters; sessions, tables and matches are counted late.
 };
 
 }  // namespace billiards::server

@@ -76,6 +76,8 @@ class Table {
     /// What is durable of the table, where that has changed. A seat does not wait for the disk; a
     /// match does, and is never durable without its table.
     void save();
+    /// Likewise, where the disk may not have what was last sent to it.
+    void save_again();
     /// For the next match; whoever was ready is asked again. MatchRunning while one is played.
     base::Result<base::Done, protocol::RefusedCode> change_settings(
         base::Instant now, const match::Settings& settings);

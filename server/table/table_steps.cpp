@@ -155,7 +155,8 @@ void Table::go_on(base::Instant now, const Step& step, model::TurnNumber before)
 
 void Table::undo_start(base::Instant now) {
     seating_.clear_ready();
-    saved_.reset();
+    around_.unsaved.insert(id_);
+    count_absence(now);
     announce_storage_failed(now, {});
     announce_seats(now);
 }
@@ -175,7 +176,16 @@ void Table::save() {
     saved_ = table;
     std::vector<Write> writes;
     writes.emplace_back(SaveTable{std::move(table)});
-    submit_and_forget(std::move(writes));
+    const auto answered = [&around = around_, id = id_](const Committed& committed) {
+        store_answered(around, committed);
+        if (!committed.result) around.unsaved.insert(id);
+    };
+    around_.committer.submit(std::move(writes), answered);
+}
+
+void Table::save_again() {
+    saved_.reset();
+    save();
 }
 
 void Table::close() {

@@ -77,6 +77,39 @@ TEST_F(DurabilityTest, StartsAMatchOnceThoughAPlayerComesBackReadyMeanwhile) {
     EXPECT_EQ(committer.durable().matches.size(), 1U);
 }
 
+TEST_F(DurabilityTest, StoresASeatThatADiskDidNotTakeOnceTheDiskWorksAgain) {
+    seat_players();
+    disk_is_slow = true;
+    say(grace, client::Leave{});
+    committer.fail();
+    EXPECT_NE(committer.table(table)->seats[Seat::Second], std::nullopt);
+    pass(0s);
+    EXPECT_EQ(committer.waiting(), 0U);  // Not while the disk fails.
+    disk_is_slow = false;
+    greet("Hedy");
+    pass(0s);
+    EXPECT_EQ(committer.table(table)->seats[Seat::Second], std::nullopt);
+    pass(0s);
+    EXPECT_EQ(committer.waiting(), 0U);
+}
+
+TEST_F(DurabilityTest, FreesASeatWhosePlayerWasLostBeforeTheMatchFailedToBeStored) {
+    seat_players();
+    say(ada, client::Ready{});
+    disk_is_slow = true;
+    say(grace, client::Ready{});
+    disconnect(grace);
+    disconnect(ada);
+    committer.fail();
+    disk_is_slow = false;
+    pass(limits.absence_grace + committer.takes);
+    const SessionId hedy = greet("Hedy");
+    say(hedy, client::ListTables{});
+    const auto row = last<told::TableList>(hedy).tables.front();
+    EXPECT_FALSE(row.seats[Seat::First].taken);
+    EXPECT_FALSE(row.seats[Seat::Second].taken);
+}
+
 TEST_F(DurabilityTest, ShowsAShotOnlyOnceItIsDurable) {
     start_match();
     place_cue_ball();

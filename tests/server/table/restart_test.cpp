@@ -179,6 +179,21 @@ TEST_F(RestartTest, BringsBackATableWithoutAMatch) {
     EXPECT_EQ(last<told::MatchStarted>(ada).state.settings, settings);
 }
 
+TEST_F(RestartTest, LeadsAPlayerBackToTheMatchThoughAnotherSeatIsStoredToo) {
+    start_match();
+    DurableWorld world = committer.durable();
+    StoredTable left = world.tables[0];
+    left.table = {table.value + 1};
+    world.tables.push_back(left);
+    world.highest.table = left.table.value;
+    lobby.reset();
+    start();
+    ASSERT_TRUE(lobby->restore(now, world.stored()).empty());
+    ada = come_back(token_of(ada));
+    EXPECT_EQ(last<told::TableSnapshot>(ada).row.table, table);
+    EXPECT_TRUE(last<told::TableSnapshot>(ada).match.has_value());
+}
+
 TEST_F(RestartTest, WritesNothingOfATableThatDidNotChange) {
     start_match();
     restart();
