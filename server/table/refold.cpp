@@ -1,8 +1,8 @@
 // Takes a stored match; folds its journal into a state.
 #include "server/table/refold.h"
 
-#include "common/base/check.h"
 #include "common/match/match.h"
+#include "common/protocol/moves.h"
 
 #include <utility>
 #include <variant>
@@ -15,28 +15,6 @@ namespace say = protocol::server;
 std::string at_entry(const StoredEntry& entry, const std::string& reason) {
     return "entry " + std::to_string(entry.sequence) + ": " + reason;
 }
-
-struct MoveOf {
-    using Move = say::Move;
-
-    Move operator()(const match::PlaceCueBall&) const { CHECK(false); }
-    Move operator()(const match::TakeShot&) const { CHECK(false); }
-    Move operator()(const match::Choose&) const { return Move::Choice; }
-    Move operator()(const match::Timeout&) const { return Move::Timeout; }
-    Move operator()(const match::Concede&) const { return Move::Concession; }
-    Move operator()(const match::Forfeit&) const { return Move::Forfeit; }
-    Move operator()(const match::Extend&) const { return Move::Extension; }
-    Move operator()(const match::Offer&) const { return Move::Offer; }
-    Move operator()(const match::Answer& answer) const {
-        return answer.accept ? Move::Acceptance : Move::Rejection;
-    }
-    Move operator()(const match::ClaimStalemate&) const { return Move::StalemateClaim; }
-    Move operator()(const match::SpotNearest&) const { return Move::Spotting; }
-    Move operator()(const match::PlaceBall&) const { return Move::Placing; }
-    Move operator()(const match::Undo&) const { return Move::Undoing; }
-    Move operator()(const match::Repeat&) const { return Move::Repeating; }
-    Move operator()(const match::Rerack&) const { return Move::Reracking; }
-};
 
 /// What everyone was told of one command.
 struct Told {
@@ -67,7 +45,7 @@ struct Told {
         if constexpr (std::is_same_v<Other, match::Choose>) moved.choice = command.choice;
         moved.verdict = std::move(entry.verdict);
         moved.after = after;
-        moved.move = move_of(entry.command);
+        moved.move = protocol::move_of(entry.command);
         return moved;
     }
 };
@@ -107,10 +85,6 @@ class LastShots {
 };
 
 }  // namespace
-
-protocol::server::Move move_of(const match::Command& command) {
-    return std::visit(MoveOf{}, command);
-}
 
 base::Result<JournalFold, std::string> JournalFold::begin(const StoredMatch& match) {
     const auto settings = protocol::decode_settings(match.settings);

@@ -34,9 +34,6 @@ class JournalFold {
     std::uint64_t entries_ = 0;
 };
 
-/// How a step is called that is told as MatchMoved: neither a shot nor the cue ball set down.
-protocol::server::Move move_of(const match::Command& command);
-
 /// What everyone was told of a step that led to `after`: a CueBallPlaced, ShotPlayed or MatchMoved.
 /// Its sequence is the entry's, its times are not set.
 base::Result<protocol::ServerMessage, std::string> told_of(const StoredEntry& stored,

@@ -1,6 +1,7 @@
 // Takes what happened at a table; gives each frame, encoded once, to everyone who is there.
 #include "common/base/check.h"
 #include "common/protocol/codec.h"
+#include "common/protocol/moves.h"
 #include "server/table/table.h"
 
 #include <algorithm>
@@ -171,7 +172,7 @@ void Table::announce_move(base::Instant now, Step step) {
                           .verdict = std::move(step.entry.verdict),
                           .after = std::move(step.next),
                           .turn = clock_.view(),
-                          .move = move_of(step.entry.command)};
+                          .move = protocol::move_of(step.entry.command)};
     if (const auto* choose = std::get_if<match::Choose>(&step.entry.command)) {
         moved.choice = choose->choice;
     }

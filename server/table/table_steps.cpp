@@ -2,6 +2,7 @@
 // led to.
 #include "common/base/check.h"
 #include "common/match/clock.h"
+#include "common/protocol/moves.h"
 #include "common/replay/engine_version.h"
 #include "server/table/table.h"
 
@@ -27,12 +28,6 @@ std::uint64_t new_seed(const RandomBytes& random) {
     return seed;
 }
 
-Ending ending_of(const protocol::JournalEntry& last) {
-    if (std::holds_alternative<match::Concede>(last.command)) return Ending::Conceded;
-    if (std::holds_alternative<match::Forfeit>(last.command)) return Ending::Claimed;
-    return Ending::Played;
-}
-
 void store_answered(Surroundings& around, const Committed& committed) {
     around.stats.storage_failing = !committed.result.ok();
 }
@@ -52,7 +47,8 @@ void Table::commit(base::Instant now, Step step) {
     writes.push_back(
         AppendEntry{match_->id, {.sequence = match_->entries + 1, .entry = std::move(entry)}});
     if (step.next.stage == match::Stage::Over) {
-        writes.emplace_back(FinishMatch{match_->id, result_of(step.next, ending_of(step.entry))});
+        writes.emplace_back(
+            FinishMatch{match_->id, result_of(step.next, protocol::ending_of(step.entry.command))});
     }
     submit(now, std::move(step), std::move(writes));
 }
@@ -126,7 +122,7 @@ void Table::happen(base::Instant now, Start start) {
 
 void Table::happen(base::Instant now, Step step, const Committed& committed) {
     const model::TurnNumber before = std::exchange(match_->state, step.next).turn;
-    const Ending ending = ending_of(step.entry);
+    const Ending ending = protocol::ending_of(step.entry.command);
     ++match_->entries;
     if (std::holds_alternative<match::TakeShot>(step.entry.command)) {
         ++around_.stats.shots;

@@ -2,6 +2,7 @@
 #include "tools/sim/score.h"
 
 #include "client/app/narrate.h"
+#include "common/protocol/moves.h"
 #include "common/replay/play.h"
 #include "tools/sim/words.h"
 
@@ -80,11 +81,9 @@ class Scorer {
         const auto& command = moment.entry.command;
         if (const auto* take = std::get_if<match::TakeShot>(&command)) return shot(moment, *take);
         if (std::holds_alternative<match::PlaceCueBall>(command)) return;
-        if (std::holds_alternative<match::Concede>(command)) {
-            has_conceded_ = true;
-            return;
-        }
-        moved(moment);
+        ending_ = protocol::ending_of(command);
+        const bool is_told_at_the_end = ending_ != protocol::server::Ending::Played;
+        if (!is_told_at_the_end) moved(moment);
     }
 
     void end(const match::MatchState& state) {
@@ -93,7 +92,7 @@ class Scorer {
         protocol::server::MatchOver over;
         over.winner = state.winner;
         over.racks_won = state.racks_won;
-        if (has_conceded_) over.ending = protocol::server::Ending::Conceded;
+        over.ending = ending_;
         fmt::print(out_, "\n{}\n", client::narrate(table_, over));
     }
 
@@ -122,13 +121,14 @@ class Scorer {
         if (choose != nullptr) moved.choice = choose->choice;
         moved.verdict = moment.entry.verdict;
         moved.after = moment.after;
+        moved.move = protocol::move_of(moment.entry.command);
         fmt::print(out_, "      {}\n", client::tell(table_, moved));
     }
 
     std::ostream& out_;
     client::TableView table_;
     int rack_ = 0;
-    bool has_conceded_ = false;
+    protocol::server::Ending ending_ = protocol::server::Ending::Played;
 };
 
 }  // namespace
