@@ -22,6 +22,14 @@ std::uint16_t draw(const RandomBytes& random) {
     return static_cast<std::uint16_t>(bytes[0] * 256U + bytes[1]);
 }
 
+/// Who watched while everyone could needs a secret like anybody else once the table is private.
+bool may_come_back(const Table& table, const Player& player) {
+    const PlayerId id = player.stored.player;
+    if (table.access().is_kicked(id) || !table.has_place_for(id)) return false;
+    const bool door_was_closed = table.access().is_private() && player.left_open_door;
+    return table.seating().is_seated(id) || !door_was_closed;
+}
+
 }  // namespace
 
 void Lobby::World::on(const Heard& heard, const protocol::client::Hello& hello) {
@@ -115,10 +123,7 @@ void Lobby::World::settle(base::Instant now, const Entering& entering, bool dura
 void Lobby::World::welcome(base::Instant now, Session& session, Player& player,
                            const Entering& entering) {
     Table* table = player.table ? table_of(*player.table) : nullptr;
-    if (table != nullptr && (!table->has_place_for(player.stored.player) ||
-                             table->access().is_kicked(player.stored.player))) {
-        table = nullptr;
-    }
+    if (table != nullptr && !may_come_back(*table, player)) table = nullptr;
     if (table == nullptr) player.table.reset();
     tell(session.id, protocol::server::Welcome{.name = player.stored.name,
                                                .token = entering.token,

@@ -72,7 +72,13 @@ void Lobby::World::forget(base::Instant now, Session& session) {
         table_of(*session.table)->lose(now, session.id);
         refresh_deadline(*session.table);
     }
-    if (session.player) players.find(*session.player)->session.reset();
+    if (session.player) {
+        Player& player = *players.find(*session.player);
+        player.session.reset();
+        if (session.table) {
+            player.left_open_door = !table_of(*session.table)->access().is_private();
+        }
+    }
     session_deadlines.set(session.id, std::nullopt);
     feed.unfollow(session.id);
     sessions.erase(session.id);

@@ -21,6 +21,7 @@ struct Player {
     std::optional<SessionId> session{};         ///< Connected, or about to be welcomed.
     std::optional<protocol::TableId> table{};   ///< Where the player sits or stood last.
     std::optional<protocol::TableId> opened{};  ///< The last table that the player opened.
+    bool left_open_door = false;  ///< `table` was not private when the link to it was lost.
 };
 
 class Players {

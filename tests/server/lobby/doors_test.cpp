@@ -34,6 +34,30 @@ class DoorsTest : public GameTest {
     protocol::TableId table;
 };
 
+TEST_F(DoorsTest, WhoWatchedWhileItWasOpenComesBackToAPrivateTableOnlyWithASecret) {
+    ada = greet("Ada");
+    say(ada, client::CreateTable{.name = "Friday", .settings = {}, .role = Role::Player});
+    table = last<told::TableSnapshot>(ada).row.table;
+    const SessionId linus = greet("Linus");
+    ASSERT_EQ(join(linus, Role::Spectator), std::nullopt);
+    disconnect(linus);
+    say(ada, client::ChangeTable{.settings = {}, .is_private = true, .passcode = {}});
+    const SessionId back = come_back(token_of(linus));
+    EXPECT_EQ(last<told::Welcome>(back).table, std::nullopt);
+    EXPECT_EQ(count<told::TableSnapshot>(back), 0U);
+    EXPECT_EQ(join(back, Role::Spectator, {.table = {}, .invite = invite(Role::Spectator)}),
+              std::nullopt);
+}
+
+TEST_F(DoorsTest, WhoWatchedAPrivateTableComesBackWithoutASecret) {
+    open_private();
+    const SessionId linus = greet("Linus");
+    ASSERT_EQ(join(linus, Role::Spectator, {.table = {}, .invite = invite(Role::Spectator)}),
+              std::nullopt);
+    disconnect(linus);
+    EXPECT_EQ(last<told::Welcome>(come_back(token_of(linus))).table, table);
+}
+
 TEST_F(DoorsTest, APrivateTableIsInNoListAndForStrangersNotThere) {
     open_private();
     EXPECT_TRUE(last<told::TableSnapshot>(ada).row.is_private);
