@@ -53,6 +53,10 @@ std::size_t hash_of(const ImDrawData& interface) {
     return hash;
 }
 
+bool is_modifier(SDL_Scancode key) {
+    return SDL_SCANCODE_LCTRL <= key && key <= SDL_SCANCODE_RGUI;
+}
+
 /// Pictures are worth their time, which is not so in a window without a graphics card.
 Quality quality_for(const WindowAppOptions& options) {
     const bool is_picture = options.window.is_offscreen && options.frames == 0;
@@ -134,19 +138,24 @@ void WindowApp::rest(base::Instant frame_began) const {
     if (left_s > 0) SDL_Delay(static_cast<Uint32>(1000 * left_s));
 }
 
-/// Up to the second change of one key: ImGui 1.86 looks at keys once a frame, and would miss a
-/// short tap on a slow machine. The next frame takes the rest.
+/// Up to the second change of one key, or until Shift or Ctrl changes under what was done before:
+/// ImGui 1.86 looks at keys once a frame, and on a slow machine would miss a short tap, or take it
+/// for one without Shift. The next frame takes the rest.
 void WindowApp::take_events() {
     std::vector<SDL_Scancode> changed;
+    bool is_first = true;
     SDL_Event event;
+    screen_.repeated.clear();
     SDL_PumpEvents();
     while (SDL_PeepEvents(&event, 1, SDL_PEEKEVENT, SDL_FIRSTEVENT, SDL_LASTEVENT) > 0) {
         const bool is_key = event.type == SDL_KEYDOWN || event.type == SDL_KEYUP;
         if (is_key && event.key.repeat == 0) {
             const SDL_Scancode key = event.key.keysym.scancode;
             if (std::ranges::find(changed, key) != changed.end()) return;
+            if (is_modifier(key) && !is_first) return;
             changed.push_back(key);
         }
+        is_first = false;
         SDL_PeepEvents(&event, 1, SDL_GETEVENT, SDL_FIRSTEVENT, SDL_LASTEVENT);
         ImGui_ImplSDL2_ProcessEvent(&event);
         if (is_key) take_key(event.key);
@@ -159,7 +168,11 @@ void WindowApp::take_key(const SDL_KeyboardEvent& key) {
     // As it was when the key was pressed; the backend asks how it is now.
     ImGui::GetIO().KeyShift = (key.keysym.mod & KMOD_SHIFT) != 0;
     ImGui::GetIO().KeyCtrl = (key.keysym.mod & KMOD_CTRL) != 0;
-    if (key.type != SDL_KEYDOWN || key.repeat != 0) return;
+    if (key.type != SDL_KEYDOWN) return;
+    if (key.repeat != 0) {
+        screen_.repeated.push_back(key.keysym.scancode);
+        return;
+    }
     if (key.keysym.scancode == SDL_SCANCODE_F11) {
         window_.toggle_full_screen();
     } else if (key.keysym.scancode == SDL_SCANCODE_F1) {

@@ -48,6 +48,13 @@ bool is_key_down(SDL_Scancode key) {
     return ImGui::IsKeyDown(key);
 }
 
+/// Since the last frame: pressed, or said again by the system, which knows how long it was held;
+/// ImGui would take one slow frame for a long press.
+int strokes(const Screen& screen, SDL_Scancode key) {
+    const auto again = std::ranges::count(screen.repeated, key);
+    return static_cast<int>(again) + (ImGui::IsKeyPressed(key, false) ? 1 : 0);
+}
+
 /// Which of the table's four directions lies ahead of the eye.
 base::Vec2 ahead(const Camera& camera) {
     const base::Vec2 way = base::Vec2(camera.target_m() - camera.eye_m());
@@ -248,9 +255,8 @@ void Hands::handle_keys(Screen& screen) {
 
 /// The cue ball while it is in hand and not set down; else aim and power.
 void Hands::handle_arrows(Screen& screen) const {
-    const auto pressed = [](SDL_Scancode key) { return ImGui::IsKeyPressed(key, true); };
-    const int right = (pressed(SDL_SCANCODE_RIGHT) ? 1 : 0) - (pressed(SDL_SCANCODE_LEFT) ? 1 : 0);
-    const int up = (pressed(SDL_SCANCODE_UP) ? 1 : 0) - (pressed(SDL_SCANCODE_DOWN) ? 1 : 0);
+    const int right = strokes(screen, SDL_SCANCODE_RIGHT) - strokes(screen, SDL_SCANCODE_LEFT);
+    const int up = strokes(screen, SDL_SCANCODE_UP) - strokes(screen, SDL_SCANCODE_DOWN);
     if (right == 0 && up == 0) return;
     const bool is_big = ImGui::GetIO().KeyShift;
     if (screen.game.placing() && !screen.game.placing()->is_down()) {

@@ -9,11 +9,13 @@
 #include "client/ui/look.h"
 #include "common/base/time.h"
 
+#include <SDL_scancode.h>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace billiards::client {
 
@@ -85,6 +87,8 @@ struct Screen {
     };
     std::optional<DraggedBall> dragged;
     std::optional<model::BallId> called_ball;  ///< Clicked, and its pocket not yet.
+    /// Held for so long that the system says it again, since the last frame.
+    std::vector<SDL_Scancode> repeated;
     bool wants_to_quit = false;
     base::Instant now{};
 

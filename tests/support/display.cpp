@@ -19,8 +19,9 @@ bool is_number(const std::string& line) {
 }  // namespace
 
 Display::Display()
-    : server_({"/usr/bin/env", "Xvfb", "-displayfd", "1", "-screen", "0", "1280x720x24",
-               "-nolisten", "tcp"}) {
+    // A key repeats itself so late that a tap on a slow machine stays one.
+    : server_({"/usr/bin/env", "Xvfb", "-displayfd", "1", "-screen", "0", "1280x720x24", "-ardelay",
+               "3000", "-nolisten", "tcp"}) {
     // It may warn before it says its number.
     auto line = server_.read_line();
     while (line && !is_number(*line)) line = server_.read_line();

@@ -146,6 +146,23 @@ TEST_F(WindowHands, ArrowsAimAndSetThePowerOnceTheCueBallIsDown) {
     tap_for_power("Up", 0.01);
 }
 
+TEST_F(WindowHands, ShiftCountsThatWasLetGoBeforeTheArrow) {
+    set_down();
+    const double before_deg = angle_deg(window_.seen());
+    window_.roll_over("shift", "Left");
+    window_.until("turns the cue by a big step", [&](const Json& shown) {
+        return is_near(degrees_between(angle_deg(shown), before_deg), 0.23);
+    });
+}
+
+TEST_F(WindowHands, AnArrowThatIsHeldGoesOn) {
+    set_down();
+    const double before = power(window_.seen());
+    window_.hold("Down");
+    window_.until("goes on", [&](const Json& shown) { return power(shown) < before - 0.045; });
+    window_.release("Down");
+}
+
 TEST_F(WindowHands, TheWheelSetsThePower) {
     window_.move(empty_cloth());
     const double before = power(window_.seen());

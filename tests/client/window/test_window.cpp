@@ -130,6 +130,10 @@ void TestWindow::hold(const std::string& key) {
     hand({"keydown", key});
 }
 
+void TestWindow::roll_over(const std::string& first, const std::string& second) {
+    hand({"keydown", first, "keydown", second, "keyup", first, "keyup", second});
+}
+
 void TestWindow::release(const std::string& key) {
     hand({"keyup", key});
 }

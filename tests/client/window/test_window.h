@@ -61,6 +61,8 @@ class TestWindow {
     void tap(const std::string& keys);
     void hold(const std::string& key);
     void release(const std::string& key);
+    /// Both down, and up in the same order, as fast as it goes.
+    void roll_over(const std::string& first, const std::string& second);
     /// Types over a number; into a text, wherever its cursor is.
     void fill(const std::string& control, const std::string& text);
     /// Notches of the wheel, above zero away from the hand.
