@@ -12,6 +12,17 @@ namespace {
 
 using nlohmann::ordered_json;
 
+/// For players who do not think: they set the cue ball down as often as they shoot.
+server::LobbyLimits for_the_hasty() {
+    server::LobbyLimits limits;
+    limits.placements_per_10s = 10'000;
+    return limits;
+}
+
+struct HastyServer : TestServer {
+    HastyServer() : TestServer({}, for_the_hasty()) {}
+};
+
 ordered_json load_on(const TestServer& server, LoadMode mode) {
     LoadOptions options;
     options.server = server.address();
@@ -38,7 +49,7 @@ void expect_a_clean_match(const ordered_json& report) {
 }
 
 TEST(Load, PlayersShootAndEveryReceiverIsCounted) {
-    const TestServer server;
+    const HastyServer server;
     const ordered_json report = load_on(server, LoadMode::Play);
     expect_a_clean_match(report);
     EXPECT_EQ(report["connections"], 12);
@@ -49,12 +60,12 @@ TEST(Load, PlayersShootAndEveryReceiverIsCounted) {
 }
 
 TEST(Load, SpectatorsMayAllWatchOneTable) {
-    const TestServer server;
+    const HastyServer server;
     expect_a_clean_match(load_on(server, LoadMode::Spectate));
 }
 
 TEST(Load, IdleSpectatorsOnlyStay) {
-    const TestServer server;
+    const HastyServer server;
     const ordered_json report = load_on(server, LoadMode::Idle);
     EXPECT_EQ(report["errors"], 0) << report.dump(2);
     EXPECT_EQ(report["connections"], 9);
@@ -63,21 +74,21 @@ TEST(Load, IdleSpectatorsOnlyStay) {
 }
 
 TEST(Load, SlowSpectatorsDoNotHoldUpPlayers) {
-    const TestServer server;
+    const HastyServer server;
     const ordered_json report = load_on(server, LoadMode::Slow);
     expect_a_clean_match(report);
     EXPECT_LE(report["receipts"], 2 * report["shots"].get<int>() + 6) << "only players read";
 }
 
 TEST(Load, PlayersPlayOnBesideNonsense) {
-    const TestServer server;
+    const HastyServer server;
     const ordered_json report = load_on(server, LoadMode::Garbage);
     expect_a_clean_match(report);
     EXPECT_GT(report["nonsense_sent"], 5);
 }
 
 TEST(Load, WhoeverDropsComesBack) {
-    const TestServer server;
+    const HastyServer server;
     LoadOptions options;
     options.server = server.address();
     options.mode = LoadMode::Flap;
@@ -95,7 +106,7 @@ TEST(Load, WhoeverDropsComesBack) {
 }
 
 TEST(Load, AfterARestartItTellsHowSoonEverybodyWasBack) {
-    TestServer server;
+    HastyServer server;
     LoadOptions options;
     options.server = server.address();
     options.mode = LoadMode::Reconnect;
@@ -118,7 +129,7 @@ TEST(Load, AfterARestartItTellsHowSoonEverybodyWasBack) {
 }
 
 TEST(Load, WhoReadsNothingIsComparedWithNobodyOfThatKind) {
-    const TestServer server;
+    const HastyServer server;
     const ordered_json report = load_on(server, LoadMode::Stall);
     expect_a_clean_match(report);
     EXPECT_EQ(report["stalled"], 1);
