@@ -1,11 +1,10 @@
 // Takes the path of a database file; gives a MatchStore in SQLite.
 #include "server/store/sqlite_store.h"
 
-#include "common/protocol/limits.h"
-#include "common/protocol/packing.h"
 #include "server/store/opened_file.h"
 #include "server/store/sqlite_age.h"
 #include "server/store/sqlite_errors.h"
+#include "server/store/sqlite_matches.h"
 #include "server/store/sqlite_results.h"
 #include "server/store/sqlite_row.h"
 #include "server/store/sqlite_schema.h"
@@ -25,38 +24,6 @@ namespace {
 
 /// Of the write-ahead log, once it has been copied into the file: a long reader lets it grow.
 constexpr int kLogKept_bytes = 64 * 1024 * 1024;
-
-/// The columns of read_match.
-constexpr const char* kMatch =
-    "id, table_id, table_name, first_player, second_player, settings, engine";
-
-StoredMatch read_match(SQLite::Statement& row) {
-    StoredMatch match;
-    match.match.value = read_number(row.getColumn(0));
-    match.table.value = static_cast<std::uint32_t>(row.getColumn(1).getInt64());
-    match.table_name = row.getColumn(2).getString();
-    match.players[model::Seat::First].value = read_number(row.getColumn(3));
-    match.players[model::Seat::Second].value = read_number(row.getColumn(4));
-    match.settings = read_bytes(row.getColumn(5));
-    match.engine = row.getColumn(6).getString();
-    return match;
-}
-
-/// Of a row (sequence, command, verdict, final layout, record).
-base::Result<StoredEntry, protocol::DecodeError> read_entry(SQLite::Statement& row) {
-    const auto read_packed = [&](int index) {
-        return protocol::unpacked(read_bytes(row.getColumn(index)), protocol::kMaxServerFrameBytes);
-    };
-    auto final_layout = read_packed(3);
-    if (!final_layout) return std::move(final_layout).error();
-    auto record = read_packed(4);
-    if (!record) return std::move(record).error();
-    return StoredEntry{.sequence = read_number(row.getColumn(0)),
-                       .entry = {.command = read_bytes(row.getColumn(1)),
-                                 .verdict = read_bytes(row.getColumn(2)),
-                                 .final_layout = std::move(final_layout).value(),
-                                 .record = std::move(record).value()}};
-}
 
 class SqliteStore final : public MatchStore {
   public:
@@ -90,14 +57,18 @@ class SqliteStore final : public MatchStore {
     void on(const SaveTable& write);
     void on(const RemoveTable& write);
     void given(const char* kind, std::uint64_t id);
-    void delete_match(MatchId match);
     std::optional<StoreError> gone() const;
-    StoreResult<std::optional<KnownMatch>> match_where(const char* condition, std::uint64_t id);
+    /// What `call` gives, where only SQLite can find something wrong.
+    template <class Call>
+    auto read(const Call& call) -> StoreResult<decltype(call())> {
+        return guarded(file_, [&]() -> StoreResult<decltype(call())> { return call(); });
+    }
 
     SQLite::Database database_;
     std::filesystem::path file_;
     SqliteAge age_;
     OpenedFile opened_{file_};
+    SqliteMatches matches_{database_, file_};
     SqliteTables tables_{database_};
     SqliteResults results_{database_};
     SQLite::Statement save_player_{
@@ -106,20 +77,6 @@ class SqliteStore final : public MatchStore {
         "VALUES (?, ?, ?, ?, ?) ON CONFLICT (id) DO UPDATE SET name = excluded.name, "
         "token_hash = excluded.token_hash, previous_token_hash = excluded.previous_token_hash, "
         "seen_s = excluded.seen_s"};
-    SQLite::Statement save_match_{
-        database_,
-        "INSERT INTO matches (id, table_id, table_name, first_player, second_player, settings, "
-        "engine, started_s) VALUES (?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (id) DO UPDATE "
-        "SET table_id = excluded.table_id, "
-        "table_name = excluded.table_name, first_player = excluded.first_player, "
-        "second_player = excluded.second_player, settings = excluded.settings, "
-        "engine = excluded.engine"};
-    SQLite::Statement append_entry_{
-        database_,
-        "INSERT INTO entries (match_id, seq, command, verdict, final_layout, record) "
-        "VALUES (?, ?, ?, ?, ?, ?)"};
-    SQLite::Statement finish_match_{database_,
-                                    "UPDATE matches SET ended = 1, ended_age_s = ? WHERE id = ?"};
     SQLite::Statement given_{database_, "UPDATE highest_ids SET id = max(id, ?) WHERE kind = ?"};
 };
 
@@ -137,50 +94,23 @@ void SqliteStore::on(const SavePlayer& write) {
 void SqliteStore::on(const SaveMatch& write) {
     given("match", write.match.match.value);
     given("table", write.match.table.value);
-    const Use use(save_match_);
-    use->bind(1, stored(write.match.match.value));
-    use->bind(2, stored(write.match.table.value));
-    use->bindNoCopy(3, write.match.table_name);
-    use->bind(4, stored(write.match.players[model::Seat::First].value));
-    use->bind(5, stored(write.match.players[model::Seat::Second].value));
-    bind_bytes(*use, 6, write.match.settings);
-    use->bindNoCopy(7, write.match.engine);
-    use->bind(8, age_.calendar_s());
-    use->exec();
+    matches_.save(write.match, age_.calendar_s());
 }
 
-/// Large columns are packed here, where the thread is about to wait for the disk anyway.
 void SqliteStore::on(const AppendEntry& write) {
-    const protocol::EncodedEntry& entry = write.entry.entry;
-    const protocol::Bytes final_layout = protocol::packed(entry.final_layout);
-    const protocol::Bytes record = protocol::packed(entry.record);
-    const Use use(append_entry_);
-    use->bind(1, stored(write.match.value));
-    use->bind(2, stored(write.entry.sequence));
-    bind_bytes(*use, 3, entry.command);
-    bind_bytes(*use, 4, entry.verdict);
-    bind_bytes(*use, 5, final_layout);
-    bind_bytes(*use, 6, record);
-    use->exec();
+    matches_.append(write.match, write.entry);
 }
 
 void SqliteStore::on(const FinishMatch& write) {
-    SQLite::Statement live(
-        database_, "SELECT first_player, second_player FROM matches WHERE id = ? AND ended = 0");
-    live.bind(1, stored(write.match.value));
-    if (!live.executeStep()) return;
-    if (write.result.shots == 0) return delete_match(write.match);
-    Ended ended{.match = write.match,
-                .players = {},
-                .result = write.result,
-                .age_s = age_.now_s(),
-                .calendar_s = age_.calendar_s()};
-    ended.players[model::Seat::First].value = read_number(live.getColumn(0));
-    ended.players[model::Seat::Second].value = read_number(live.getColumn(1));
-    const Use use(finish_match_);
-    use->bind(1, ended.age_s);
-    use->bind(2, stored(write.match.value));
-    use->exec();
+    const auto players = matches_.players_of_live(write.match);
+    if (!players) return;
+    if (write.result.shots == 0) return matches_.remove(write.match);
+    const Ended ended{.match = write.match,
+                      .players = *players,
+                      .result = write.result,
+                      .age_s = age_.now_s(),
+                      .calendar_s = age_.calendar_s()};
+    matches_.finish(ended.match, ended.age_s);
     results_.add(ended);
 }
 
@@ -198,15 +128,6 @@ void SqliteStore::given(const char* kind, std::uint64_t id) {
     use->bind(1, stored(id));
     use->bind(2, kind);
     use->exec();
-}
-
-void SqliteStore::delete_match(MatchId match) {
-    for (const char* statement :
-         {"DELETE FROM entries WHERE match_id = ?", "DELETE FROM matches WHERE id = ?"}) {
-        SQLite::Statement forget(database_, statement);
-        forget.bind(1, stored(match.value));
-        forget.exec();
-    }
 }
 
 std::optional<StoreError> SqliteStore::gone() const {
@@ -251,82 +172,32 @@ StoreResult<std::vector<StoredPlayer>> SqliteStore::players() {
 }
 
 StoreResult<std::vector<StoredTable>> SqliteStore::tables() {
-    return guarded(file_, [&]() -> StoreResult<std::vector<StoredTable>> { return tables_.all(); });
+    return read([&] { return tables_.all(); });
 }
 
 StoreResult<std::vector<StoredMatch>> SqliteStore::live_matches() {
-    return guarded(file_, [&]() -> StoreResult<std::vector<StoredMatch>> {
-        std::vector<StoredMatch> matches;
-        SQLite::Statement rows(
-            database_, fmt::format("SELECT {} FROM matches WHERE ended = 0 ORDER BY id", kMatch));
-        while (rows.executeStep()) matches.push_back(read_match(rows));
-        return matches;
-    });
+    return read([&] { return matches_.live(); });
 }
 
 StoreResult<std::vector<EndedMatch>> SqliteStore::ended_matches() {
-    return guarded(file_, [&]() -> StoreResult<std::vector<EndedMatch>> {
-        std::vector<EndedMatch> matches;
-        SQLite::Statement rows(
-            database_,
-            fmt::format("SELECT {}, started_s FROM matches WHERE ended = 1 ORDER BY id", kMatch));
-        while (rows.executeStep()) {
-            matches.push_back({read_match(rows), rows.getColumn("started_s").getInt64()});
-        }
-        return matches;
-    });
-}
-
-StoreResult<std::optional<KnownMatch>> SqliteStore::match_where(const char* condition,
-                                                                std::uint64_t id) {
-    return guarded(file_, [&]() -> StoreResult<std::optional<KnownMatch>> {
-        SQLite::Statement row(database_,
-                              fmt::format("SELECT {}, ended, (SELECT ifnull(max(seq), 0) FROM "
-                                          "entries WHERE match_id = id) AS entries "
-                                          "FROM matches WHERE {} AND ended < 2 "
-                                          "ORDER BY id DESC LIMIT 1",
-                                          kMatch, condition));
-        row.bind(1, stored(id));
-        if (!row.executeStep()) return std::optional<KnownMatch>();
-        const bool is_over = row.getColumn("ended").getInt() != 0;
-        const std::uint64_t entries = read_number(row.getColumn("entries"));
-        return std::optional(KnownMatch{read_match(row), is_over, entries});
-    });
+    return read([&] { return matches_.ended(); });
 }
 
 StoreResult<std::optional<KnownMatch>> SqliteStore::last_match(protocol::TableId table) {
-    return match_where("table_id = ?", table.value);
+    return read([&] { return matches_.last_at(table); });
 }
 
 StoreResult<std::optional<KnownMatch>> SqliteStore::find_match(MatchId match) {
-    return match_where("id = ?", match.value);
+    return read([&] { return matches_.find(match); });
 }
 
 StoreResult<base::Done> SqliteStore::journal(MatchId match, const EntryVisitor& visit,
                                              std::uint64_t records_from) {
-    return guarded(file_, [&]() -> StoreResult<base::Done> {
-        SQLite::Statement rows(database_,
-                               "SELECT seq, command, verdict, final_layout, "
-                               "iif(seq < ?2, x'', record) FROM entries "
-                               "WHERE match_id = ?1 ORDER BY seq");
-        rows.bind(1, stored(match.value));
-        rows.bind(2, stored(records_from));
-        while (rows.executeStep()) {
-            auto entry = read_entry(rows);
-            if (!entry) {
-                return StoreError{
-                    StoreErrorCode::Corrupt,
-                    fmt::format("{}: entry {} of match {}: {}", file_.string(),
-                                read_number(rows.getColumn(0)), match.value, entry.error().detail)};
-            }
-            if (!visit(std::move(entry).value())) break;
-        }
-        return base::Done{};
-    });
+    return guarded(file_, [&] { return matches_.journal(match, visit, records_from); });
 }
 
 StoreResult<MatchStore::HighestIds> SqliteStore::highest_ids() {
-    return guarded(file_, [&]() -> StoreResult<HighestIds> {
+    return read([&] {
         SQLite::Statement row(database_,
                               "SELECT (SELECT id FROM highest_ids WHERE kind = 'player'), "
                               "(SELECT id FROM highest_ids WHERE kind = 'match'), "
@@ -339,7 +210,7 @@ StoreResult<MatchStore::HighestIds> SqliteStore::highest_ids() {
 }
 
 StoreResult<std::optional<PlayerId>> SqliteStore::player_named(const std::string& name) {
-    return guarded(file_, [&]() -> StoreResult<std::optional<PlayerId>> {
+    return read([&] {
         SQLite::Statement row(database_,
                               "SELECT id FROM players WHERE name = ? ORDER BY id DESC LIMIT 1");
         row.bind(1, name);
@@ -349,20 +220,15 @@ StoreResult<std::optional<PlayerId>> SqliteStore::player_named(const std::string
 }
 
 StoreResult<std::vector<StoredResult>> SqliteStore::history(const HistoryQuery& query) {
-    return guarded(file_, [&]() -> StoreResult<std::vector<StoredResult>> {
-        return results_.history(query, age_.now_s());
-    });
+    return read([&] { return results_.history(query, age_.now_s()); });
 }
 
 StoreResult<bool> SqliteStore::may_see(MatchId match, PlayerId asker) {
-    return guarded(
-        file_, [&]() -> StoreResult<bool> { return results_.may_see(match, asker, age_.now_s()); });
+    return read([&] { return results_.may_see(match, asker, age_.now_s()); });
 }
 
 StoreResult<Standing> SqliteStore::standing(PlayerId player, PlayerId asker) {
-    return guarded(file_, [&]() -> StoreResult<Standing> {
-        return results_.standing(player, asker, age_.now_s());
-    });
+    return read([&] { return results_.standing(player, asker, age_.now_s()); });
 }
 
 StoreResult<Swept> SqliteStore::sweep(const Retention& retention) {
