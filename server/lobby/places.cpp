@@ -133,13 +133,12 @@ void Lobby::World::take_place(const Heard& heard, protocol::TableId id, protocol
         refuse(around, heard.asker(), admitted.error(), detail_of(admitted.error()));
         return;
     }
-    const auto joined =
-        table.join(heard.now, {heard.session.id, player.stored.player, player.stored.name}, role);
+    const auto joined = table.join(
+        heard.now, {heard.session.id, player.stored.player, player.stored.name}, role, *admitted);
     if (!joined) {
         refuse(around, heard.asker(), joined.error(), detail_of(joined.error()));
         return;
     }
-    if (table.access().used(*admitted)) table.save();
     player.table = id;
     heard.session.table = id;
     heard.session.phase = role == protocol::Role::Spectator ? Phase::Watching : Phase::Seated;

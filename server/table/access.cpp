@@ -85,14 +85,10 @@ Access::Result<Admission> Access::admits(base::Instant now, PlayerId player, Rol
     return RefusedCode::WrongSecret;
 }
 
-bool Access::used(const Admission& admission) {
-    if (!admission.invite) return false;
-    const auto spent = std::find_if(
-        invites_.begin(), invites_.end(),
-        [&](const StandingInvite& invite) { return invite.stored.hash == *admission.invite; });
-    if (spent == invites_.end()) return false;
-    invites_.erase(spent);
-    return true;
+void Access::use_up(const Admission& admission) {
+    std::erase_if(invites_, [&](const StandingInvite& invite) {
+        return invite.stored.hash == admission.invite;
+    });
 }
 
 void Access::store_into(StoredTable& table) const {

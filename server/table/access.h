@@ -76,8 +76,8 @@ class Access {
     /// others' guesses must not keep its holder out. Whoever holds a seat need not ask.
     Result<Admission> admits(base::Instant now, PlayerId player, protocol::Role role,
                              const Shown& shown);
-    /// The seat was taken. True where a play invite was used up by it.
-    bool used(const Admission& admission);
+    /// The seat was taken.
+    void use_up(const Admission& admission);
 
     /// Fills the fields that are this class's own: owner, passcode, invites, the kicked.
     void store_into(StoredTable& table) const;

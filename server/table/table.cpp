@@ -52,8 +52,9 @@ Table::Table(protocol::TableId id, std::string name, const match::Settings& sett
 }
 
 base::Result<base::Done, RefusedCode> Table::join(base::Instant now, const Visitor& visitor,
-                                                  Role role) {
+                                                  Role role, const Admission& admission) {
     if (const auto full = take_places(visitor, role)) return *full;
+    access_.use_up(admission);
     save();
     if (role == Role::Spectator) {
         spectators_changed(now);

@@ -54,9 +54,11 @@ class Table {
     /// full.
     void restore(base::Instant now, const Sitters& sitters, const std::optional<Played>& played);
 
-    /// The newcomer gets a snapshot, the others the change. The error says what is full.
+    /// The newcomer gets a snapshot, the others the change. A seat and the invite that it uses up
+    /// are durable together. The error says what is full.
     base::Result<base::Done, protocol::RefusedCode> join(base::Instant now, const Visitor& visitor,
-                                                         protocol::Role role);
+                                                         protocol::Role role,
+                                                         const Admission& admission);
     /// Whether who sat or stood here before still has a place.
     bool has_place_for(PlayerId player) const;
     /// Takes that place again, under a new connection. Who had followed the table up to an event

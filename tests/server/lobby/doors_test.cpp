@@ -102,6 +102,20 @@ TEST_F(DoorsTest, APlayInviteSeatsOneAndNoMore) {
     EXPECT_EQ(join(greet("Linus"), Role::Player, shown), RefusedCode::WrongSecret);
 }
 
+TEST_F(DoorsTest, APlayInviteIsUsedUpByTheSameWriteThatTakesTheSeat) {
+    open_private();
+    const client::Join shown{.table = table, .invite = invite(Role::Player)};
+    const SessionId grace = greet("Grace");
+    disk_is_slow = true;
+    EXPECT_EQ(join(grace, Role::Player, shown), std::nullopt);
+    while (committer.waiting() > 0) {
+        committer.complete();
+        const StoredTable stored = *committer.table(table);
+        EXPECT_EQ(stored.seats[model::Seat::Second].has_value(), stored.invites.empty());
+    }
+    EXPECT_TRUE(committer.table(table)->invites.empty());
+}
+
 TEST_F(DoorsTest, APlayInviteIsNotUsedUpWhereNoSeatIsFree) {
     open_private("cue");
     const client::Join shown{.table = table, .invite = invite(Role::Player)};

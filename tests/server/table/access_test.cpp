@@ -111,8 +111,7 @@ TEST_F(AccessTest, OpensPlayingOnceToAPlayInvite) {
     const auto admitted = access.admits(now, kStranger, Role::Player, shown);
     ASSERT_TRUE(admitted.ok());
     EXPECT_EQ(at_the_door(Role::Player, shown), std::nullopt) << "the seat was not taken yet";
-    EXPECT_TRUE(access.used(*admitted));
-    EXPECT_FALSE(access.used(*admitted));
+    access.use_up(*admitted);
     EXPECT_EQ(at_the_door(Role::Player, shown), RefusedCode::WrongSecret);
 }
 
@@ -121,7 +120,7 @@ TEST_F(AccessTest, DoesNotUseAPlayInviteUpByWatching) {
     const Shown shown = invited(true);
     const auto admitted = access.admits(now, kStranger, Role::Spectator, shown);
     ASSERT_TRUE(admitted.ok());
-    EXPECT_FALSE(access.used(*admitted));
+    access.use_up(*admitted);
     EXPECT_EQ(at_the_door(Role::BothSeats, shown), std::nullopt);
 }
 
@@ -131,7 +130,7 @@ TEST_F(AccessTest, OpensOnlyWatchingToAWatchInviteAndAsOftenAsWanted) {
     for (int i = 0; i < 3; ++i) {
         const auto admitted = access.admits(now, kStranger, Role::Spectator, shown);
         ASSERT_TRUE(admitted.ok());
-        EXPECT_FALSE(access.used(*admitted));
+        access.use_up(*admitted);
     }
     EXPECT_EQ(at_the_door(Role::Player, shown), RefusedCode::WrongSecret);
     EXPECT_EQ(at_the_door(Role::BothSeats, shown), RefusedCode::WrongSecret);
