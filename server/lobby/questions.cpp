@@ -25,7 +25,7 @@ void Lobby::World::on(const Heard& heard, const client::AskRecord& message) {
 /// The match at one's table is shown as far as one has seen it, ended or not.
 void Lobby::World::on(const Heard& heard, const client::AskReplay& message) {
     const Table* table = heard.session.table ? table_of(*heard.session.table) : nullptr;
-    const std::optional<MatchId> here = table != nullptr ? table->match_id() : std::nullopt;
+    const auto here = table != nullptr ? table->match_shown_to(heard.session.id) : std::nullopt;
     AskReplay question{
         .asker = *heard.session.player, .match = {message.match}, .first = message.first};
     if (message.match == 0) {
@@ -34,9 +34,9 @@ void Lobby::World::on(const Heard& heard, const client::AskReplay& message) {
                    "no match has been played at your table");
             return;
         }
-        question.match = *here;
+        question.match = here->match;
     }
-    if (here == question.match) question.steps = table->steps_shown_to(heard.session.id);
+    if (here && here->match == question.match) question.steps = here->steps;
     inquire(heard, std::move(question));
 }
 

@@ -267,14 +267,10 @@ StoredTable Table::stored() const {
     return table;
 }
 
-std::optional<MatchId> Table::match_id() const {
-    return match_ ? std::optional(match_->id) : std::nullopt;
-}
-
-std::uint64_t Table::steps_shown_to(SessionId session) const {
-    if (!match_) return 0;
-    if (!is_shown_late(session)) return match_->entries + 1;
-    return gallery_.shown().match_id == match_->id ? gallery_.shown().steps : 0;
+std::optional<Table::ShownMatch> Table::match_shown_to(SessionId session) const {
+    const Picture shown = is_shown_late(session) ? gallery_.shown() : picture();
+    if (!shown.match_id) return std::nullopt;
+    return ShownMatch{*shown.match_id, shown.steps};
 }
 
 /// Where spectators were shown nothing late so far, what they get now has another stream.

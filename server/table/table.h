@@ -122,10 +122,12 @@ class Table {
     Access& access() { return access_; }
     const Access& access() const { return access_; }
     StoredTable stored() const;
-    /// The match that is played, or the last one.
-    std::optional<MatchId> match_id() const;
-    /// So many of its steps may be seen by this session, with how it began; 0: none yet.
-    std::uint64_t steps_shown_to(SessionId session) const;
+    struct ShownMatch {
+        MatchId match;
+        std::uint64_t steps = 0;  ///< So many of them, with how it began.
+    };
+    /// The match that is played, or the last one, as far as this session has seen it.
+    std::optional<ShownMatch> match_shown_to(SessionId session) const;
 
   private:
     struct LastShot {

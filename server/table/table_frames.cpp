@@ -75,12 +75,13 @@ bool Table::is_shown_late(SessionId session) const {
 Picture Table::picture() const {
     Picture picture{.sequence = sequence_,
                     .row = row_now(),
-                    .match_id = match_id(),
+                    .match_id = {},
                     .steps = 0,
                     .match = {},
                     .rolling = {},
                     .turn = clock_.view()};
     if (match_) {
+        picture.match_id = match_->id;
         picture.steps = match_->entries + 1;
         picture.match = match_->state;
     }

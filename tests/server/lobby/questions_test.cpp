@@ -113,6 +113,28 @@ TEST_F(QuestionsTest, ShowOnesOwnTablesMatchAsFarAsOneHasSeenIt) {
     EXPECT_EQ(asked<AskReplay>().steps, steps) << "named by its number it is the same match";
 }
 
+TEST_F(QuestionsTest, TellADelayedSpectatorOfTheNextMatchOnlyOnceItIsShown) {
+    match::Settings settings;
+    settings.spectator_delay_s = 20.0;
+    start_match(settings);
+    keep_alive();
+    pass(30s);
+    say(ada, client::Concede{});
+    for (const SessionId session : {ada, grace}) say(session, client::Ready{});
+    const auto ask = [&](std::uint64_t match) {
+        say(linus, client::AskReplay{.match = match, .first = 0});
+        const auto question = asked<AskReplay>();
+        answer_with(told::ReplayChunk{});
+        return question;
+    };
+    EXPECT_EQ(ask(0).match, MatchId{1});
+    EXPECT_EQ(ask(2).steps, std::nullopt) << "it is another's match, as to any stranger";
+    keep_alive();
+    pass(20s);
+    EXPECT_EQ(ask(0).match, MatchId{2});
+    EXPECT_EQ(ask(2).steps, 1U);
+}
+
 TEST_F(QuestionsTest, LeaveItToTheArchiveWhetherAnotherMatchIsOver) {
     start_match();
     const SessionId stranger = greet("Stranger");
