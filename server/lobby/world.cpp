@@ -42,6 +42,8 @@ void Lobby::World::receive(base::Instant now, Session& session,
                            const protocol::ClientMessage& message) {
     if (!around.stats.storage_failing) probed = now;
     if (session.phase != Phase::Greeting) session.heard = now;
+    // However late the loop's timer is: a shot after the turn has opened is not too early.
+    if (session.table) table_of(*session.table)->advance(now);
     if (!is_legal(session.phase, message.body)) {
         refuse_illegal(now, session, message.request_id, RefusedCode::NotInThisPhase,
                        std::string(name_of(message.body)) + " has no place in phase " +

@@ -78,6 +78,14 @@ TEST_F(PlayTest, OpensTheNextTurnWhenTheBallsRest) {
     EXPECT_TRUE(opened.turn.deadline_us.has_value());
 }
 
+TEST_F(PlayTest, TakesAShotOnceTheBallsRestThoughTheTableWasNotWokenYet) {
+    start_match();
+    take_turn(1);
+    now = base::Instant{base::Duration{last<told::ShotPlayed>(ada).turn.opens_us}};
+    take_turn(2);
+    EXPECT_EQ(state().shots_played, 2);
+}
+
 TEST_F(PlayTest, OpensTheNextTurnEarlyWhenBothHaveSeenTheShot) {
     start_match();
     take_turn(1);

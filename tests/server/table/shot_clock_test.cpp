@@ -70,6 +70,16 @@ TEST_F(ShotClockTest, TakesAShotThatIsJustLate) {
     EXPECT_EQ(count<told::ShotPlayed>(linus), 1U);
 }
 
+TEST_F(ShotClockTest, TakesNoShotAfterTheGraceThoughTheTableWasNotWokenYet) {
+    start_match(settings);
+    place_cue_ball();
+    pass_until(-(limits.shot_grace - 1us));
+    now += 1us;
+    say(shooter(), shot(1));
+    EXPECT_EQ(count<told::ShotPlayed>(linus), 0U);
+    EXPECT_EQ(count<told::MatchMoved>(linus), 1U);
+}
+
 TEST_F(ShotClockTest, RulesAgainstWhoLetsItRunOut) {
     start_match(settings);
     take_turn(1);
