@@ -230,10 +230,16 @@ void Connection::drop_what_arrives() {
     reading_ = true;
     socket_.async_read_some(
         asio::buffer(share_.unread),
-        [self = shared_from_this()](const asio::error_code& error, std::size_t) {
+        [self = shared_from_this()](const asio::error_code& error, std::size_t bytes) {
             self->reading_ = false;
-            error ? self->on_read_error() : self->drop_what_arrives();
+            error ? self->on_read_error() : self->on_dropped(bytes);
         });
+}
+
+/// Whoever says so much after the end does not listen.
+void Connection::on_dropped(std::size_t bytes) {
+    dropped_bytes_ += bytes;
+    dropped_bytes_ < share_.limits.dropped_bytes ? drop_what_arrives() : on_read_error();
 }
 
 void Connection::on_read_error() {

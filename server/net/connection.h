@@ -71,6 +71,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     void on_frame();
     void read_next();
     void drop_what_arrives();
+    void on_dropped(std::size_t bytes);
     void on_read_error();
 
     void write();
@@ -96,6 +97,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     int unsent_bytes_ = 0;                  ///< In the system's buffer, as of the last tick.
     int messages_in_flight_ = 0;
     int messages_allowed_;
+    std::size_t dropped_bytes_ = 0;
     Stage stage_ = Stage::Preamble;
     bool reading_ = false;
     bool writing_ = false;

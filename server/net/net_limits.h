@@ -21,6 +21,10 @@ struct NetLimits {
     Milliseconds greeting_timeout = protocol::kGreetingTimeout;
     Milliseconds frame_timeout = std::chrono::seconds(5);    ///< From its header to its last byte.
     Milliseconds closing_timeout = std::chrono::seconds(2);  ///< To take what still waits.
+    /// Of what is said by a connection that closes; read, so that nothing cuts off our last words.
+    std::size_t dropped_bytes = 64 * 1024;
+    /// Connections without room that close so, in the reserve; beyond it they may not hear why.
+    std::size_t turned_away_at_once = 16;
     /// How often timeouts are looked at: each may be late by this much.
     Milliseconds tick = std::chrono::seconds(1);
     Milliseconds pause_when_out_of_sockets = std::chrono::seconds(1);

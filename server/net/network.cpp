@@ -67,20 +67,26 @@ void Network::accepted(Socket socket) {
     const auto remote = socket.remote_endpoint(gone);
     if (gone) return;
     const auto address = AddressLimits::key_of(remote.address());
-    const bool room = connections_.size() < max_connections_;
+    const bool room = guests() < max_connections_;
     if (!room || !addresses_.admit(address, Connection::Clock::now())) {
         return turn_away(std::move(socket));
     }
-    const SessionId session{++last_session_};
-    auto connection = std::make_shared<Connection>(std::move(socket), session, share_);
-    connections_.emplace(session.value, Entry{connection, address});
+    Connection& guest = add(std::move(socket), address, false);
     ++stats_.accepted;
-    stats_.connections = connections_.size();
-    connection->start();
+    stats_.connections = guests();
+    guest.start();
 }
 
-/// In words, but without waiting for anything: what does not fit into the socket's own buffer, or
-/// is overtaken by the closing, is lost.
+Connection& Network::add(Socket socket, AddressLimits::Key address, bool is_turned_away) {
+    const SessionId session{++last_session_};
+    auto connection = std::make_shared<Connection>(std::move(socket), session, share_);
+    const Entry entry{std::move(connection), address, is_turned_away};
+    return *connections_.emplace(session.value, entry).first->second.connection;
+}
+
+/// In words, but without waiting until they are sent: what does not fit into the socket's own
+/// buffer is lost. What the guest has said already is read by a connection that closes, where
+/// there is one left for that: unread, it would overtake the words with a reset.
 void Network::turn_away(Socket socket) {
     ++stats_.turned_away;
     protocol::server::Refused refused;
@@ -91,14 +97,17 @@ void Network::turn_away(Socket socket) {
     asio::error_code ignored;
     socket.non_blocking(true, ignored);
     socket.send(buffers, 0, ignored);
-    socket.shutdown(Socket::shutdown_send, ignored);
+    if (turned_away_ >= limits_.turned_away_at_once) return;
+    ++turned_away_;
+    add(std::move(socket), {}, true).close();
 }
 
 void Network::ended(SessionId session) {
     const auto found = connections_.find(session.value);
     addresses_.release(found->second.address);
+    if (found->second.is_turned_away) --turned_away_;
     connections_.erase(found);
-    stats_.connections = connections_.size();
+    stats_.connections = guests();
     if (connections_.empty() && stopped_) std::exchange(stopped_, {})();
 }
 

@@ -53,10 +53,13 @@ class Network {
     struct Entry {
         std::shared_ptr<Connection> connection;
         AddressLimits::Key address;
+        bool is_turned_away = false;  ///< It is only told so.
     };
 
     void accepted(Socket socket);
     void turn_away(Socket socket);
+    Connection& add(Socket socket, AddressLimits::Key address, bool is_turned_away);
+    std::size_t guests() const { return connections_.size() - turned_away_; }
     void ended(SessionId session);
     void wait_for_tick();
     void tick();
@@ -70,6 +73,7 @@ class Network {
     AddressLimits addresses_;
     std::vector<std::unique_ptr<Listener>> listeners_;
     std::unordered_map<std::uint64_t, Entry> connections_;  ///< By session.
+    std::size_t turned_away_ = 0;                           ///< Of these.
     std::uint64_t last_session_ = 0;
     asio::steady_timer tick_timer_;
     std::function<void()> stopped_;

@@ -30,6 +30,39 @@ TEST(Listening, TurnsAwayInWordsWhoIsOverTheLimitAndTakesTheNextOneInItsPlace) {
     EXPECT_EQ(running.stats().accepted, 2U);
 }
 
+TEST(Listening, ReadsWhatIsSaidByWhoIsTurnedAwaySoThatNothingCutsOffTheAnswer) {
+    NetLimits limits;
+    limits.connections = 1;
+    Running running(limits);
+    Greeted first(running);
+    {
+        RawClient second(running.port);
+        EXPECT_TRUE(second.receive_preamble());
+        expect_refused(second, protocol::RefusedCode::TooMany, "too many connections");
+        for (std::uint32_t number = 1; number <= 3; ++number) {
+            EXPECT_TRUE(second.send(ping(number)));
+        }
+        EXPECT_EQ(running.stats().connections, 1U);
+    }
+    EXPECT_EQ(running.events.count(Kind::Connected), 1U);
+    first.client.send(ping(1));
+    EXPECT_TRUE(running.events.wait_for(Kind::Received, 2));
+}
+
+TEST(Listening, WaitsOnlyForSoManyWhomItTurnsAwayAndTellsTheOthersWithoutWaiting) {
+    NetLimits limits;
+    limits.connections = 1;
+    limits.turned_away_at_once = 0;
+    limits.closing_timeout = 1h;
+    Running running(limits);
+    Greeted first(running);
+    RawClient second(running.port);
+    EXPECT_TRUE(second.receive_preamble());
+    expect_refused(second, protocol::RefusedCode::TooMany, "too many connections");
+    while (second.send(ping(1))) {  // Until it is gone: nobody reads this.
+    }
+}
+
 TEST(Listening, SaysWhichAddressIsInUse) {
     Running running;
     asio::io_context context;

@@ -284,6 +284,21 @@ TEST(Network, ReadsOnlySoManyMessagesATick) {
     EXPECT_TRUE(running.events.wait_for(Kind::Received, 12));
     EXPECT_GE(std::chrono::steady_clock::now() - start, 2 * limits.tick);
 }
+
+TEST(Network, ReadsOnlySoMuchOfWhatIsSaidAfterARefusal) {
+    NetLimits limits;
+    limits.dropped_bytes = 1000;
+    limits.closing_timeout = 1h;
+    Running running(limits);
+    RawClient client(running.port);
+    client.send_preamble({.major = 4711});
+    EXPECT_TRUE(client.receive_preamble());
+    expect_refused(client, protocol::RefusedCode::Malformed, "4711");
+    while (client.send(ping(1))) {  // Until it is gone.
+    }
+    EXPECT_EQ(running.stats().connections, 0U);
+}
+
 TEST(Network, SendsEveryoneAwayBeforeItStops) {
     Running running;
     Greeted one(running);
