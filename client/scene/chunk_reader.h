@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/base/check.h"
+#include "common/base/little_endian.h"
 
 #include <bit>
 #include <cstddef>
@@ -25,9 +26,9 @@ class ByteReader {
     /// Where in the file the next byte lies.
     std::size_t at_byte() const { return at_byte_; }
 
-    std::uint16_t u16() { return static_cast<std::uint16_t>(number<2>()); }
-    std::uint32_t u32() { return number<4>(); }
-    float f32() { return std::bit_cast<float>(number<4>()); }
+    std::uint16_t u16() { return static_cast<std::uint16_t>(number(2)); }
+    std::uint32_t u32() { return number(4); }
+    float f32() { return std::bit_cast<float>(u32()); }
 
     ByteReader take(std::size_t size) {
         CHECK(has(size));
@@ -49,14 +50,8 @@ class ByteReader {
     }
 
   private:
-    template <std::size_t kSize>
-    std::uint32_t number() {
-        const ByteReader taken = take(kSize);
-        std::uint32_t value = 0;
-        for (std::size_t i = kSize; i-- > 0;) {
-            value = value << 8U | static_cast<std::uint32_t>(taken.bytes_[i]);
-        }
-        return value;
+    std::uint32_t number(std::size_t size) {
+        return static_cast<std::uint32_t>(base::number_in(take(size).bytes_));
     }
 
     std::span<const std::byte> bytes_;

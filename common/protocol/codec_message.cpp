@@ -1,6 +1,7 @@
 // Takes and gives Cap'n Proto messages of one segment, and checks single fields.
 #include "common/protocol/codec_message.h"
 
+#include "common/base/little_endian.h"
 #include "common/protocol/framing.h"
 #include "common/protocol/text.h"
 
@@ -17,6 +18,7 @@ namespace billiards::protocol {
 namespace {
 
 constexpr std::size_t kWordBytes = sizeof(capnp::word);
+constexpr std::size_t kCountBytes = 4;  ///< Two before the segment: how many more, and its words.
 
 capnp::ReaderOptions options_for(std::size_t bytes) {
     capnp::ReaderOptions options;
@@ -25,28 +27,14 @@ capnp::ReaderOptions options_for(std::size_t bytes) {
     return options;
 }
 
-void append(std::vector<std::byte>& bytes, std::uint32_t number) {
-    for (int shift = 0; shift < 32; shift += 8) {
-        bytes.push_back(static_cast<std::byte>(number >> shift & 0xffU));
-    }
-}
-
-std::uint32_t number_at(std::span<const std::byte> bytes, std::size_t at) {
-    std::uint32_t number = 0;
-    for (std::size_t i = 4; i > 0; --i) {
-        number = number << 8U | std::to_integer<std::uint32_t>(bytes[at + i - 1]);
-    }
-    return number;
-}
-
 std::vector<std::byte> with_table(kj::ArrayPtr<const capnp::word> segment,
                                   std::size_t header_bytes) {
     const kj::ArrayPtr<const kj::byte> content = segment.asBytes();
     std::vector<std::byte> bytes;
     bytes.reserve(header_bytes + kWordBytes + content.size());
     bytes.resize(header_bytes);
-    append(bytes, 0);  // One segment.
-    append(bytes, static_cast<std::uint32_t>(segment.size()));
+    base::append_number(bytes, 0, kCountBytes);  // One segment.
+    base::append_number(bytes, segment.size(), kCountBytes);
     const auto* first = reinterpret_cast<const std::byte*>(content.begin());
     bytes.insert(bytes.end(), first, first + content.size());
     return bytes;
@@ -94,8 +82,10 @@ OneSegmentReader::OneSegmentReader(std::span<const std::byte> bytes)
     if (words == 0 || bytes.size() % kWordBytes != 0) {
         fail(DecodeErrorCode::Malformed, "no multiple of 8 bytes above 0");
     }
-    if (number_at(bytes, 0) != 0) fail(DecodeErrorCode::Malformed, "more than one segment");
-    if (number_at(bytes, 4) != words - 1) fail(DecodeErrorCode::Malformed, "segment's size");
+    const std::uint64_t more_segments = base::number_in(bytes.first(kCountBytes));
+    const std::uint64_t segment_words = base::number_in(bytes.subspan(kCountBytes, kCountBytes));
+    if (more_segments != 0) fail(DecodeErrorCode::Malformed, "more than one segment");
+    if (segment_words != words - 1) fail(DecodeErrorCode::Malformed, "segment's size");
     const bool is_aligned =
         reinterpret_cast<std::uintptr_t>(bytes.data()) % alignof(capnp::word) == 0;
     if (is_aligned) {

@@ -1,6 +1,8 @@
 // Takes and gives the bytes around a message: the preamble, and each frame's length.
 #include "common/protocol/framing.h"
 
+#include "common/base/little_endian.h"
+
 #include <algorithm>
 #include <string_view>
 
@@ -14,21 +16,6 @@ constexpr std::size_t kMinorAt = 10;
 constexpr std::size_t kFeaturesAt = 12;
 constexpr std::size_t kWordBytes = 8;
 
-void put(std::span<std::byte> out, std::uint32_t number) {
-    for (std::byte& byte : out) {
-        byte = static_cast<std::byte>(number & 0xffU);
-        number >>= 8U;
-    }
-}
-
-std::uint32_t number_in(std::span<const std::byte> bytes) {
-    std::uint32_t number = 0;
-    for (std::size_t i = bytes.size(); i > 0; --i) {
-        number = number << 8U | std::to_integer<std::uint32_t>(bytes[i - 1]);
-    }
-    return number;
-}
-
 std::string in_words(std::uint16_t major, std::uint16_t minor) {
     return std::to_string(major) + "." + std::to_string(minor);
 }
@@ -40,9 +27,9 @@ PreambleBytes encode_preamble(const Preamble& preamble) {
     std::transform(kMagic.begin(), kMagic.end(), bytes.begin(),
                    [](char letter) { return static_cast<std::byte>(letter); });
     const std::span<std::byte> all(bytes);
-    put(all.subspan(kMajorAt, 2), preamble.major);
-    put(all.subspan(kMinorAt, 2), preamble.minor);
-    put(all.subspan(kFeaturesAt, 4), preamble.features);
+    base::put_number(all.subspan(kMajorAt, 2), preamble.major);
+    base::put_number(all.subspan(kMinorAt, 2), preamble.minor);
+    base::put_number(all.subspan(kFeaturesAt, 4), preamble.features);
     return bytes;
 }
 
@@ -53,9 +40,9 @@ base::Result<Preamble, FramingError> decode_preamble(
         [](char letter, std::byte byte) { return static_cast<std::byte>(letter) == byte; });
     if (!is_ours) return FramingError{FramingErrorCode::BadMagic, "does not begin with GLBILLRD"};
     const Preamble preamble{
-        .major = static_cast<std::uint16_t>(number_in(bytes.subspan(kMajorAt, 2))),
-        .minor = static_cast<std::uint16_t>(number_in(bytes.subspan(kMinorAt, 2))),
-        .features = number_in(bytes.subspan(kFeaturesAt, 4))};
+        .major = static_cast<std::uint16_t>(base::number_in(bytes.subspan(kMajorAt, 2))),
+        .minor = static_cast<std::uint16_t>(base::number_in(bytes.subspan(kMinorAt, 2))),
+        .features = static_cast<std::uint32_t>(base::number_in(bytes.subspan(kFeaturesAt, 4)))};
     if (preamble.major != kVersionMajor) {
         return FramingError{FramingErrorCode::OtherVersion,
                             "the other side speaks version " +
@@ -67,7 +54,7 @@ base::Result<Preamble, FramingError> decode_preamble(
 
 base::Result<std::size_t, FramingError> decode_frame_header(
     std::span<const std::byte, kFrameHeaderBytes> header, std::size_t max_frame_bytes) {
-    const std::size_t length = number_in(header);
+    const std::size_t length = base::number_in(header);
     if (length == 0 || length % kWordBytes != 0) {
         return FramingError{FramingErrorCode::BadFrameLength,
                             std::to_string(length) + " bytes are no multiple of 8 above 0"};
@@ -83,7 +70,7 @@ base::Result<std::size_t, FramingError> decode_frame_header(
 FrameHeader encode_frame_header(std::size_t frame_bytes) {
     CHECK(frame_bytes > 0 && frame_bytes % kWordBytes == 0 && frame_bytes <= 0xffffffffU);
     FrameHeader header{};
-    put(header, static_cast<std::uint32_t>(frame_bytes));
+    base::put_number(header, frame_bytes);
     return header;
 }
 

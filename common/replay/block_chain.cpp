@@ -4,6 +4,7 @@
 
 #include "common/base/check.h"
 #include "common/base/hash.h"
+#include "common/base/little_endian.h"
 
 #include <algorithm>
 #include <limits>
@@ -12,6 +13,8 @@ namespace billiards::replay {
 
 namespace {
 
+using base::append_number;
+using base::number_in;
 using Bytes = std::vector<std::byte>;
 
 constexpr std::size_t kWordBytes = 4;
@@ -74,21 +77,6 @@ base::Result<Block, BlockDamage> BlockReader::next() {
 bool BlockReader::check(std::span<const std::byte> bytes, std::span<const std::byte> expected) {
     chain_ = chained(chain_, bytes);
     return chain_ == number_in(expected);
-}
-
-void append_number(Bytes& out, std::uint64_t number, std::size_t size) {
-    for (std::size_t i = 0; i < size; ++i) {
-        out.push_back(static_cast<std::byte>(number >> (8 * i) & 0xffU));
-    }
-}
-
-std::uint64_t number_in(std::span<const std::byte> bytes) {
-    CHECK(bytes.size() <= sizeof(std::uint64_t));
-    std::uint64_t number = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-        number |= std::to_integer<std::uint64_t>(bytes[i]) << (8 * i);
-    }
-    return number;
 }
 
 Bytes joined(std::span<const Bytes> columns) {

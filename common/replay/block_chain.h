@@ -57,11 +57,7 @@ class BlockReader {
     std::uint64_t chain_ = 0;
 };
 
-// Little-endian numbers, and columns: several runs of bytes as one, each after its u32 length.
-
-void append_number(std::vector<std::byte>& out, std::uint64_t number, std::size_t size);
-/// At most 8 bytes.
-std::uint64_t number_in(std::span<const std::byte> bytes);
+// Columns: several runs of bytes as one, each after its u32 length, little-endian.
 
 std::vector<std::byte> joined(std::span<const std::vector<std::byte>> columns);
 /// None where the bytes are not columns to their end.

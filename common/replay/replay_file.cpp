@@ -1,6 +1,7 @@
 // Takes a replay; gives the bytes of a .billiards file, and back, whatever bytes they are.
 #include "common/replay/replay_file.h"
 
+#include "common/base/little_endian.h"
 #include "common/protocol/limits.h"
 #include "common/protocol/packing.h"
 #include "common/protocol/text.h"
@@ -16,6 +17,8 @@ namespace billiards::replay {
 
 namespace {
 
+using base::append_number;
+using base::number_in;
 using protocol::Bytes;
 
 enum class Kind : std::uint32_t { Header = 1, Entry = 2, End = 3 };

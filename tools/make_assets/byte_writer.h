@@ -1,6 +1,8 @@
 // Takes numbers and text; gives them as little-endian bytes.
 #pragma once
 
+#include "common/base/little_endian.h"
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -14,14 +16,8 @@ using Bytes = std::vector<std::byte>;
 class ByteWriter {
   public:
     void u8(std::uint8_t value) { bytes_.push_back(static_cast<std::byte>(value)); }
-    void u16(std::uint16_t value) {
-        u8(static_cast<std::uint8_t>(value & 0xffU));
-        u8(static_cast<std::uint8_t>(value >> 8U));
-    }
-    void u32(std::uint32_t value) {
-        u16(static_cast<std::uint16_t>(value & 0xffffU));
-        u16(static_cast<std::uint16_t>(value >> 16U));
-    }
+    void u16(std::uint16_t value) { base::append_number(bytes_, value, sizeof value); }
+    void u32(std::uint32_t value) { base::append_number(bytes_, value, sizeof value); }
     void f32(float value) { u32(std::bit_cast<std::uint32_t>(value)); }
     /// With a zero byte behind it.
     void text(std::string_view text) {
