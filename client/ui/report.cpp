@@ -3,10 +3,10 @@
 
 #include "client/play/information.h"
 #include "client/ui/hands.h"
+#include "common/base/hex.h"
 #include "common/model/table_spec.h"
 
 #include <cmath>
-#include <fmt/format.h>
 #include <imgui.h>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -115,7 +115,7 @@ Json table_of(const Screen& screen, const TableView& table) {
         json["match"] = match_of(*table.match);
         json["on_screen"] = places_of(screen, *table.match);
     }
-    if (table.last_shot) json["last_hash"] = fmt::format("{:016x}", table.last_shot->record.hash);
+    if (table.last_shot) json["last_hash"] = base::to_hex(table.last_shot->record.hash);
     return json;
 }
 

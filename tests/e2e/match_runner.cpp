@@ -1,10 +1,10 @@
 // Takes ports and seeds; runs billiards-server and billiards-demo, and reads their lines of JSON.
 #include "tests/e2e/match_runner.h"
 
+#include "common/base/hex.h"
 #include "common/protocol/codec_journal.h"
 #include "server/store/sqlite_store.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -57,8 +57,7 @@ std::vector<JournalledShot> journalled_shots(const Host& host) {
         const auto entry = protocol::decode_entry(stored.entry);
         if (!entry) throw std::runtime_error(entry.error().detail);
         if (!entry->record) continue;
-        shots.push_back(
-            {fmt::format("{:016x}", entry->shot_id), fmt::format("{:016x}", entry->record->hash)});
+        shots.push_back({base::to_hex(entry->shot_id), base::to_hex(entry->record->hash)});
     }
     return shots;
 }

@@ -2,11 +2,11 @@
 #include "tests/long/breaks.h"
 
 #include "common/base/hash.h"
+#include "common/base/hex.h"
 #include "tests/common/physics/numbered_case.h"
 #include "tests/common/physics/soundness.h"
 
 #include <algorithm>
-#include <iomanip>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,8 +50,8 @@ bool prove_breaks(const BreaksOrder& order, std::ostream& out) {
     if (!events.empty()) {
         out << "; events p50 " << percentile(events, 0.5) << ", p99 " << percentile(events, 0.99)
             << ", most " << events.back() << "; largest energy rise " << worst.max_energy_rise_j
-            << " J, smallest gap " << *worst.min_gap_m << " m; digest " << std::hex
-            << std::setfill('0') << std::setw(16) << digest.digest() << std::dec;
+            << " J, smallest gap " << *worst.min_gap_m << " m; digest "
+            << base::to_hex(digest.digest());
     }
     out << '\n';
     return faults == 0;

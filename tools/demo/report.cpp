@@ -2,6 +2,7 @@
 #include "tools/demo/report.h"
 
 #include "client/app/narrate.h"
+#include "common/base/hex.h"
 #include "tools/player/match_digest.h"
 
 #include <fmt/format.h>
@@ -59,10 +60,10 @@ void Report::shot(const client::TableView& before, const protocol::server::ShotP
            {"text", client::narrate(before, shot)},
            {"sequence", shot.sequence},
            {"shot", shot.after.shots_played},
-           {"shot_id", to_hex(shot.shot_id)},
+           {"shot_id", base::to_hex(shot.shot_id)},
            {"seat", static_cast<int>(shot.seat)},
-           {"record_hash", to_hex(shot.record.hash)},
-           {"digest", to_hex(digest_of(shot))}});
+           {"record_hash", base::to_hex(shot.record.hash)},
+           {"digest", base::to_hex(digest_of(shot))}});
 }
 
 void Report::moved(const client::TableView& before, const protocol::server::MatchMoved& moved) {
@@ -99,7 +100,7 @@ void Report::link_lost(const client::LinkLost& lost) {
 void Report::result(const PlayedOut& played) {
     ordered_json json{{"event", "result"},
                       {"name", played.name},
-                      {"digest", to_hex(played.digest.value())},
+                      {"digest", base::to_hex(played.digest.value())},
                       {"shots", played.digest.shots()},
                       {"missed", played.digest.missed()}};
     if (!played.failure.empty()) json["failure"] = played.failure;

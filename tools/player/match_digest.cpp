@@ -2,7 +2,6 @@
 #include "tools/player/match_digest.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 
 namespace billiards::tools {
 
@@ -34,10 +33,6 @@ void MatchDigest::add(const protocol::server::MatchOver& over) {
     missed_ += std::max(static_cast<int>(over.shots) - shots_ - missed_, 0);
     hasher_.add(over.winner ? static_cast<std::uint64_t>(*over.winner) : model::kSeats.size());
     hasher_.add(std::uint64_t{over.shots});
-}
-
-std::string to_hex(std::uint64_t digest) {
-    return fmt::format("{:016x}", digest);
 }
 
 }  // namespace billiards::tools

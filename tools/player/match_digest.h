@@ -6,7 +6,6 @@
 #include "common/protocol/messages.h"
 
 #include <cstdint>
-#include <string>
 
 namespace billiards::tools {
 
@@ -30,8 +29,5 @@ class MatchDigest {
     int shots_ = 0;
     int missed_ = 0;
 };
-
-/// 16 hexadecimal digits.
-std::string to_hex(std::uint64_t digest);
 
 }  // namespace billiards::tools

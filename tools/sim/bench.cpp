@@ -3,14 +3,13 @@
 
 #include "common/base/check.h"
 #include "common/base/hash.h"
+#include "common/base/hex.h"
 #include "common/physics/simulate.h"
 #include "common/protocol/codec_journal.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cinttypes>
 #include <cstdint>
-#include <cstdio>
 #include <ctime>
 #include <vector>
 
@@ -60,8 +59,6 @@ Json bench(BenchCase bench_case, double seconds) {
     }
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_start;
     const auto count = static_cast<double>(events.size());
-    char digest_text[17];
-    std::snprintf(digest_text, sizeof digest_text, "%016" PRIx64, digest.digest());
     return {{"shots_per_s", count / cpu_s},
             {"events_per_shot", total_events / count},
             {"events", {{"p50", percentile(events, 0.5)}, {"p99", percentile(events, 0.99)}}},
@@ -69,7 +66,7 @@ Json bench(BenchCase bench_case, double seconds) {
             {"cpu_s", cpu_s},
             {"wall_s", wall.count()},
             {"wire_bytes", wire_bytes(bench_case)},
-            {"digest", digest_text}};
+            {"digest", base::to_hex(digest.digest())}};
 }
 
 }  // namespace billiards::tools

@@ -1,6 +1,7 @@
 // Takes a case of balls on a table; gives its events, samples, energy and hash.
 #include "tools/sim/solve.h"
 
+#include "common/base/hex.h"
 #include "common/physics/cue.h"
 #include "common/physics/simulate.h"
 #include "common/timeline/evaluate.h"
@@ -9,8 +10,6 @@
 #include "tools/sim/words.h"
 
 #include <algorithm>
-#include <cinttypes>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -64,12 +63,6 @@ Json final_of(const timeline::ShotRecord& record, const BallNames& names) {
     return balls;
 }
 
-std::string hex_of(std::uint64_t hash) {
-    char text[17];
-    std::snprintf(text, sizeof text, "%016" PRIx64, hash);
-    return text;
-}
-
 /// Gives the ball named "cue" what the cue gives it.
 void strike_cue_ball(const JsonNode& node, const physics::Parameters& parameters,
                      const BallNames& names, std::vector<physics::BallStart>& balls) {
@@ -102,7 +95,7 @@ Json answer_of(const timeline::ShotRecord& record, const physics::Diagnostics& d
     answer["max_energy_rise_j"] = diagnostics.max_energy_rise_j;
     answer["min_gap_m"] = nullptr;
     if (diagnostics.min_gap_m) answer["min_gap_m"] = *diagnostics.min_gap_m;
-    answer["hash"] = hex_of(record.hash);
+    answer["hash"] = base::to_hex(record.hash);
     return answer;
 }
 
