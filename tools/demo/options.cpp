@@ -2,6 +2,7 @@
 #include "tools/demo/options.h"
 
 #include "common/match/match_state.h"
+#include "tools/player/check_address.h"
 
 #include <CLI/CLI.hpp>
 #include <random>
@@ -9,11 +10,6 @@
 namespace billiards::tools {
 
 namespace {
-
-/// As CLI11 asks for it: empty is well.
-std::string check_address(const std::string& text) {
-    return client::parse_address(text) ? "" : "is no HOST:PORT: " + text;
-}
 
 struct Texts {
     std::string server;

@@ -1,6 +1,8 @@
 // Takes the command line; checks and converts every option of billiards-load.
 #include "tools/load/options.h"
 
+#include "tools/player/check_address.h"
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -16,10 +18,6 @@ const std::map<std::string, LoadMode> kModes{
     {"spectate", LoadMode::Spectate},   {"slow", LoadMode::Slow},
     {"garbage", LoadMode::Garbage},     {"flap", LoadMode::Flap},
     {"reconnect", LoadMode::Reconnect}, {"stall", LoadMode::Stall}};
-
-std::string check_address(const std::string& text) {
-    return client::parse_address(text) ? "" : "is no HOST:PORT: " + text;
-}
 
 struct Texts {
     std::string mode = "play";
