@@ -1,20 +1,15 @@
 // Takes a seed; plays whole matches through a network at its worst, and fails unless each comes to
 // its end without help and everybody agrees about every shot of it: players, spectator and journal.
-#include "tests/soak/hall.h"
+#include "tests/soak/prove.h"
 
-#include <CLI/CLI.hpp>
-#include <exception>
-#include <iostream>
-#include <nlohmann/json.hpp>
+#include <chrono>
 
 namespace billiards::soak {
 namespace {
 
 struct Options {
-    HallOptions hall{.seed = 1, .tables = 16, .bad_share = 1.0, .max_think = {}, .limit = {}};
+    HallOptions hall{.tables = 16, .bad_share = 1.0, .limit = std::chrono::hours(1)};
     std::size_t matches = 200;
-    double max_think_s = 0.05;
-    double seconds_limit = 3600.0;
 };
 
 nlohmann::ordered_json play(const Options& options) {
@@ -50,34 +45,14 @@ nlohmann::ordered_json play(const Options& options) {
             {"seconds", figures.seconds}};
 }
 
-int run(int argc, char** argv) {
-    CLI::App app("Plays whole matches through the worst of networks");
-    Options options;
-    app.add_option("--matches", options.matches)->check(CLI::PositiveNumber)->capture_default_str();
-    app.add_option("--at-once", options.hall.tables)->check(CLI::Range(1, 1000));
-    app.add_option("--seed", options.hall.seed)->capture_default_str();
-    app.add_option("--max-think", options.max_think_s, "Seconds")->check(CLI::Range(0.0, 60.0));
-    app.add_option("--seconds-limit", options.seconds_limit, "Beyond it something is stuck");
-    CLI11_PARSE(app, argc, argv);
-    options.hall.max_think = base::duration_of(options.max_think_s);
-    options.hall.limit = base::duration_of(options.seconds_limit);
-    try {
-        std::cout << play(options).dump() << std::endl;
-        return 0;
-    } catch (const BrokenPromise& broken) {
-        std::cerr << "seed " << options.hall.seed << ": " << broken.what() << std::endl;
-        return 1;
-    }
-}
-
 }  // namespace
 }  // namespace billiards::soak
 
 int main(int argc, char** argv) {
-    try {
-        return billiards::soak::run(argc, argv);
-    } catch (const std::exception& error) {
-        std::cerr << "bad_networks: " << error.what() << '\n';
-        return 1;
-    }
+    using namespace billiards::soak;
+    CLI::App app("Plays whole matches through the worst of networks", "bad_networks");
+    Options options;
+    app.add_option("--matches", options.matches)->check(CLI::PositiveNumber)->capture_default_str();
+    app.add_option("--at-once", options.hall.tables)->check(CLI::Range(1, 1000));
+    return prove(app, argc, argv, options.hall, [&] { return play(options); });
 }

@@ -9,6 +9,7 @@
 #include "tests/support/host.h"
 
 #include <asio/io_context.hpp>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -29,7 +30,7 @@ struct HallOptions {
     std::uint64_t seed = 1;
     std::size_t tables = 6;  ///< At once.
     double bad_share = 0.3;  ///< Of the connections: those that go through the bad network.
-    base::Duration max_think{};
+    base::Duration max_think = std::chrono::milliseconds(50);
     base::Duration limit{};  ///< Of everything together; beyond it something is stuck.
 };
 

@@ -2,13 +2,10 @@
 // fails at the first promise that is broken: a told shot that is not in the journal, a half-applied
 // one, one that was played twice, or somebody who does not come back without help.
 #include "client/net/clock.h"
-#include "tests/soak/hall.h"
+#include "tests/soak/prove.h"
 
-#include <CLI/CLI.hpp>
-#include <exception>
 #include <fmt/format.h>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 namespace billiards::soak {
 namespace {
@@ -24,10 +21,8 @@ constexpr std::uint64_t kLongestPlay_us = 1'500'000;
 constexpr std::uint64_t kLongestStart_us = 60'000;
 
 struct Options {
-    HallOptions hall;
+    HallOptions hall{.limit = seconds(1800)};
     int kills = 100;
-    double max_think_s = 0.05;
-    double seconds_limit = 1800.0;
 };
 
 void pass(microseconds duration) {
@@ -147,37 +142,18 @@ class Soak {
     int kills_ = 0;
 };
 
-int run(int argc, char** argv) {
-    CLI::App app("Kills a billiards-server under load, and looks whether it kept its promises");
-    Options options;
-    app.add_option("--kills", options.kills)->check(CLI::PositiveNumber)->capture_default_str();
-    app.add_option("--tables", options.hall.tables, "At once")->check(CLI::Range(1, 100));
-    app.add_option("--seed", options.hall.seed)->capture_default_str();
-    app.add_option("--bad-share", options.hall.bad_share, "Of the connections")
-        ->check(CLI::Range(0.0, 1.0))
-        ->capture_default_str();
-    app.add_option("--max-think", options.max_think_s, "Seconds")->check(CLI::Range(0.0, 60.0));
-    app.add_option("--seconds-limit", options.seconds_limit, "Beyond it something is stuck");
-    CLI11_PARSE(app, argc, argv);
-    options.hall.max_think = base::duration_of(options.max_think_s);
-    options.hall.limit = base::duration_of(options.seconds_limit);
-    try {
-        std::cout << Soak(options).run().dump() << std::endl;
-        return 0;
-    } catch (const BrokenPromise& broken) {
-        std::cerr << "seed " << options.hall.seed << ": " << broken.what() << std::endl;
-        return 1;
-    }
-}
-
 }  // namespace
 }  // namespace billiards::soak
 
 int main(int argc, char** argv) {
-    try {
-        return billiards::soak::run(argc, argv);
-    } catch (const std::exception& error) {
-        std::cerr << "kill_minus_nine: " << error.what() << '\n';
-        return 1;
-    }
+    using namespace billiards::soak;
+    CLI::App app("Kills a billiards-server under load, and looks whether it kept its promises",
+                 "kill_minus_nine");
+    Options options;
+    app.add_option("--kills", options.kills)->check(CLI::PositiveNumber)->capture_default_str();
+    app.add_option("--tables", options.hall.tables, "At once")->check(CLI::Range(1, 100));
+    app.add_option("--bad-share", options.hall.bad_share, "Of the connections")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+    return prove(app, argc, argv, options.hall, [&] { return Soak(options).run(); });
 }
