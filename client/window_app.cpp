@@ -10,7 +10,6 @@
 #include "client/ui/report.h"
 #include "client/ui/ways.h"
 
-#include <algorithm>
 #include <backends/imgui_impl_opengl3.h>
 #include <backends/imgui_impl_sdl.h>
 #include <ctime>
@@ -51,10 +50,6 @@ std::size_t hash_of(const ImDrawData& interface) {
         hash = hash_of(interface.CmdLists[i]->IdxBuffer, hash);
     }
     return hash;
-}
-
-bool is_modifier(SDL_Scancode key) {
-    return SDL_SCANCODE_LCTRL <= key && key <= SDL_SCANCODE_RGUI;
 }
 
 /// Pictures are worth their time, which is not so in a window without a graphics card.
@@ -138,27 +133,16 @@ void WindowApp::rest(base::Instant frame_began) const {
     if (left_s > 0) SDL_Delay(static_cast<Uint32>(1000 * left_s));
 }
 
-/// Up to the second change of one key, or until Shift or Ctrl changes under what was done before:
-/// ImGui 1.86 looks at keys once a frame, and on a slow machine would miss a short tap, or take it
-/// for one without Shift. The next frame takes the rest.
 void WindowApp::take_events() {
-    std::vector<SDL_Scancode> changed;
-    bool is_first = true;
     SDL_Event event;
     screen_.repeated.clear();
+    input_.start_frame();
     SDL_PumpEvents();
     while (SDL_PeepEvents(&event, 1, SDL_PEEKEVENT, SDL_FIRSTEVENT, SDL_LASTEVENT) > 0) {
-        const bool is_key = event.type == SDL_KEYDOWN || event.type == SDL_KEYUP;
-        if (is_key && event.key.repeat == 0) {
-            const SDL_Scancode key = event.key.keysym.scancode;
-            if (std::ranges::find(changed, key) != changed.end()) return;
-            if (is_modifier(key) && !is_first) return;
-            changed.push_back(key);
-        }
-        is_first = false;
+        if (!input_.take(event)) return;
         SDL_PeepEvents(&event, 1, SDL_GETEVENT, SDL_FIRSTEVENT, SDL_LASTEVENT);
         ImGui_ImplSDL2_ProcessEvent(&event);
-        if (is_key) take_key(event.key);
+        if (event.type == SDL_KEYDOWN || event.type == SDL_KEYUP) take_key(event.key);
         if (event.type == SDL_WINDOWEVENT) shown_.reset();
         if (event.type == SDL_QUIT) screen_.wants_to_quit = true;
     }
@@ -184,6 +168,7 @@ void WindowApp::take_key(const SDL_KeyboardEvent& key) {
 WindowApp::Frame WindowApp::lay_out() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplSDL2_NewFrame();
+    input_.place_mouse(ImGui::GetIO());
     fit_look();
     ImGui::NewFrame();
     screen_.controls.start_frame();

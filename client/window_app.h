@@ -5,6 +5,7 @@
 #include "client/render/renderer.h"
 #include "client/render/window.h"
 #include "client/scene/orientation.h"
+#include "client/ui/frame_input.h"
 #include "client/ui/hands.h"
 #include "client/ui/screen.h"
 #include "client/ui/stage_scene.h"
@@ -66,6 +67,7 @@ class WindowApp {
     void run_window();
     void draw_pictures();
     void draw_picture(const DuePicture& picture);
+    /// As many as one frame takes.
     void take_events();
     void take_key(const SDL_KeyboardEvent& key);
     /// The interface as it is now, and the scene: nothing is drawn yet.
@@ -88,6 +90,7 @@ class WindowApp {
     Quality quality_;
     Renderer renderer_;
     Screen screen_;
+    FrameInput input_;
     Hands hands_;
     Orientations orientations_;
     std::uint64_t shown_shot_ = 0;  ///< The sequence of the shot that the orientations follow.

@@ -107,13 +107,14 @@ void Hands::handle_mouse(Screen& screen) {
     const ImGuiIO& io = ImGui::GetIO();
     const auto on_bed_m = under_mouse(screen);
     const bool is_over_table = !io.WantCaptureMouse;
+    // A frame may see the mouse come and press; it has come with nothing held.
+    const bool moved = io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F;
+    if (moved && (is_over_table || hold_ != Hold::Nothing)) drag(screen, on_bed_m);
     if (hold_ == Hold::Nothing && is_over_table) {
         handle_wheel(screen);
         if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) hold_ = Hold::Eye;
         if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && on_bed_m) press(screen, *on_bed_m);
     }
-    const bool moved = io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F;
-    if (moved && (is_over_table || hold_ != Hold::Nothing)) drag(screen, on_bed_m);
     release(screen);
 }
 

@@ -251,6 +251,16 @@ TEST_F(WindowHands, THidesTheAimLineAndShowsItAgain) {
     window_.until("shows the line", [](const Json& shown) { return shown.at("aim_line") == true; });
 }
 
+TEST_F(WindowHands, AClickIsOneWhereItHappenedHoweverFastTheHandRushesOn) {
+    const double power_before = power(window_.seen());
+    window_.click_rushing(window_.ball(1), {0, 120});
+    window_.until("has the ball clicked",
+                  [](const Json& shown) { return shown.at("called_ball") == 1; });
+    EXPECT_EQ(window_.seen().at("table").at("rolling"), false);
+    EXPECT_NEAR(power(window_.seen()), power_before, 1e-9);
+    EXPECT_EQ(window_.seen().at("shot").at("pulled"), false);
+}
+
 TEST_F(WindowHands, CForgetsTheCall) {
     window_.click(window_.ball(1));
     window_.until("marks the ball", [](const Json& shown) { return shown.at("called_ball") == 1; });

@@ -54,6 +54,14 @@ TEST_F(WindowShots, PullingBackAndLettingGoPlaysItAsFarAsItWasPulled) {
     until_played(before);
 }
 
+TEST_F(WindowShots, APullEndsWhereItWasLetGoHoweverFastTheHandRushesOn) {
+    const int before = shots(window_.seen());
+    window_.pull_rushing(window_.mouse(), {0, 96});
+    until_rolling();
+    EXPECT_NEAR(window_.seen().at("shot").at("power").get<double>(), 0.3, 1e-6);
+    until_played(before);
+}
+
 TEST_F(WindowShots, NobodyShootsWhileTheBallsRoll) {
     const int before = shots(window_.seen());
     window_.tap("space");

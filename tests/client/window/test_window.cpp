@@ -38,6 +38,15 @@ Point point_of(const Json& place) {
     return {place.at(0).get<int>(), place.at(1).get<int>()};
 }
 
+void append(std::vector<std::string>& words, const std::vector<std::string>& more) {
+    words.insert(words.end(), more.begin(), more.end());
+}
+
+/// What follows "--" may begin with a minus.
+std::vector<std::string> pushed(Point way) {
+    return {"mousemove_relative", "--", std::to_string(way.x), std::to_string(way.y)};
+}
+
 /// X counts left, middle, right from 1; the report left, right, middle from 0.
 bool is_held(const Json& shown, int button) {
     const int reported = button == 1 ? 0 : button == 3 ? 1 : 2;
@@ -81,10 +90,14 @@ void TestWindow::until_there(const std::string& control) {
           [&](const Json& shown) { return shown.at("controls").contains(control); });
 }
 
+/// SDL overlooks that the pointer was put somewhere, and feels the last unit that it is pushed.
+std::vector<std::string> TestWindow::way_to(Point to) const {
+    return {"mousemove",          "--window",           window_, std::to_string(to.x - 1),
+            std::to_string(to.y), "mousemove_relative", "1",     "0"};
+}
+
 void TestWindow::move(Point to) {
-    // SDL overlooks that the pointer was put somewhere, and feels the last unit that it is pushed.
-    hand({"mousemove", "--window", window_, std::to_string(to.x - 1), std::to_string(to.y),
-          "mousemove_relative", "1", "0"});
+    hand(way_to(to));
     until("feels the mouse there",
           [&](const Json& shown) { return point_of(shown.at("mouse").at("at")) == to; });
 }
@@ -120,6 +133,22 @@ void TestWindow::click(const std::string& control) {
         move(middle_of(control));
     } while (!seen_.at("controls").contains(control) || mouse() != middle_of(control));
     hand({"click", "1"});
+}
+
+void TestWindow::click_rushing(Point at, Point way) {
+    std::vector<std::string> words = way_to(at);
+    append(words, {"mousedown", "1", "mouseup", "1"});
+    append(words, pushed(way));
+    hand(words);
+}
+
+void TestWindow::pull_rushing(Point from, Point way) {
+    std::vector<std::string> words = way_to(from);
+    append(words, {"mousedown", "1"});
+    append(words, pushed(way));
+    append(words, {"mouseup", "1"});
+    append(words, pushed(way));
+    hand(words);
 }
 
 void TestWindow::tap(const std::string& keys) {

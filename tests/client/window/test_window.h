@@ -57,6 +57,10 @@ class TestWindow {
     void drag(Point from, Point way, int button = 1);
     void click(Point at, int button = 1);
     void click(const std::string& control);
+    /// A click there while the mouse rushes on, and a pull that way whose hand rushes on as far
+    /// again: all of it before a frame has felt any of it, where the machine is slow.
+    void click_rushing(Point at, Point way);
+    void pull_rushing(Point from, Point way);
     /// Such as "Return" or "shift+Left".
     void tap(const std::string& keys);
     void hold(const std::string& key);
@@ -79,6 +83,7 @@ class TestWindow {
 
   private:
     std::vector<std::string> hand(std::vector<std::string> words) const;
+    std::vector<std::string> way_to(Point to) const;
     bool read(std::chrono::steady_clock::time_point deadline);
 
     support::TemporaryFolder folder_;
