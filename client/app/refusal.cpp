@@ -69,7 +69,7 @@ std::string words(const protocol::server::Refused& refused) {
     const std::string& detail = refused.detail;
     switch (refused.code) {
         case RefusedCode::Malformed:
-            return with_detail("the server did not understand", detail);
+            return "the server did not understand what was asked of it";
         case RefusedCode::NotInThisPhase:
             return "that cannot be done now";
         case RefusedCode::TooMany:
@@ -112,6 +112,11 @@ std::string words(const protocol::server::Refused& refused) {
             return "the server is busy; ask again in a moment";
     }
     return detail;
+}
+
+std::string words(const Lost& lost) {
+    if (lost.code != LostCode::Malformed) return lost.reason;
+    return "the server sent what this program does not understand";
 }
 
 }  // namespace billiards::client

@@ -1,6 +1,7 @@
 // Takes hands, messages and time; gives the state of the screen, and the next thing to say.
 #include "client/play/game.h"
 
+#include "client/app/announce.h"
 #include "client/app/reduce.h"
 #include "client/app/refusal.h"
 #include "common/base/hash.h"
@@ -15,6 +16,15 @@ namespace {
 namespace server = protocol::server;
 
 constexpr base::Duration kAimEvery = std::chrono::milliseconds(100);
+
+/// Who is ready is known anew.
+bool settles_readiness(const protocol::ServerMessage& message) {
+    return std::holds_alternative<server::SeatChanged>(message) ||
+           std::holds_alternative<server::TableChanged>(message) ||
+           std::holds_alternative<server::TableSnapshot>(message) ||
+           std::holds_alternative<server::MatchStarted>(message) ||
+           std::holds_alternative<server::Refused>(message);
+}
 
 }  // namespace
 
@@ -34,6 +44,7 @@ void Game::connect(const ServerAddress& address, const std::string& name, Errand
 void Game::disconnect() {
     link_.reset();
     lost_.clear();
+    farewell_.clear();
     refusal_.clear();
     coming_back_ = false;
     std::vector<std::string> muted = std::move(state_.muted);
@@ -79,19 +90,19 @@ void Game::take(const LinkEvent& event) {
 void Game::on(const Arrived& arrived) {
     const std::optional<TableView> before = state_.table;
     state_ = reduce(std::move(state_), arrived.message, arrived.at);
-    const auto* notice = std::get_if<server::Notice>(&arrived.message);
-    const bool is_kicked = notice != nullptr && notice->code == server::NoticeCode::Kicked;
-    if (is_kicked) refusal_ = "the owner of the table has sent you away";
-    if (before && !state_.table && is_connected()) go_to_lobby();
+    listen_for_farewell(arrived.message);
+    if (before && !state_.table && is_connected()) {
+        if (!farewell_.empty()) refusal_ = farewell_;
+        go_to_lobby();
+    }
     if (!state_.table) rewatch_.reset();
     if (const auto* chunk = std::get_if<server::ReplayChunk>(&arrived.message)) {
         if (rewatch_ && !rewatch_->take(*chunk)) rewatch_.reset();
         ask_for_steps();
     }
     const base::Duration offset = state_.clock_offset.value_or(base::Duration::zero());
-    if (std::holds_alternative<server::MatchStarted>(arrived.message)) asked_to_start_ = false;
+    if (settles_readiness(arrived.message)) asked_to_start_ = false;
     if (std::holds_alternative<server::TableSnapshot>(arrived.message)) {
-        asked_to_start_ = false;
         awaited_.reset();
         leaving_.reset();
         turn_.reset();
@@ -113,11 +124,21 @@ void Game::on(const Arrived& arrived) {
         refusal_ = words(*refused);
         is_forgotten_ = refused->code == protocol::RefusedCode::UnknownToken;
         if (!is_forgotten_) errand_ = LookAround{};
-        if (refused->in_reply_to == awaited_) awaited_.reset(), shoots_once_placed_ = false;
+        // What cannot be read is refused with no name; whatever is awaited may be that.
+        const bool is_unnamed = refused->in_reply_to == 0;
+        if (is_unnamed || refused->in_reply_to == awaited_) {
+            awaited_.reset();
+            shoots_once_placed_ = false;
+        }
         if (refused->in_reply_to == leaving_) leaving_.reset();
         if (refused->in_reply_to == rewatch_asked_) rewatch_.reset();
-        asked_to_start_ = false;
     }
+}
+
+void Game::listen_for_farewell(const protocol::ServerMessage& message) {
+    farewell_.clear();
+    if (const auto* notice = std::get_if<server::Notice>(&message)) farewell_ = tell(*notice);
+    if (const auto* refused = std::get_if<server::Refused>(&message)) farewell_ = words(*refused);
 }
 
 void Game::on(const LinkLost& lost) {
@@ -127,7 +148,8 @@ void Game::on(const LinkLost& lost) {
         return;
     }
     state_ = with_link_lost(std::move(state_));
-    lost_ = lost.lost.reason;
+    const bool is_told_why = lost.lost.code == LostCode::Closed && !farewell_.empty();
+    lost_ = is_told_why ? std::exchange(farewell_, {}) : words(lost.lost);
     coming_back_ = lost.retry_after.has_value();
     if (!coming_back_) link_.reset();
 }

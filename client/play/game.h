@@ -78,8 +78,8 @@ class Game {
     void ready();
     /// As ready(), for another match between the same two.
     void rematch();
-    /// Ready was said, and the match has not started yet.
-    bool has_asked_to_start() const { return asked_to_start_; }
+    /// Ready was said, and counts: the match has not started yet, nor changed what will be played.
+    bool has_asked_to_start() const;
     /// Back to the lobby, once the server says so.
     void leave_table();
     bool is_leaving() const { return leaving_.has_value(); }
@@ -137,13 +137,15 @@ class Game {
     void repeat();
     void rerack();
 
-    /// What the server would not do, in its words; until the next thing is asked.
+    /// What the server would not do, in words; until the next thing is asked.
     const std::string& refusal() const { return refusal_; }
+    void forget_refusal() { refusal_.clear(); }
 
   private:
     void take(const LinkEvent& event);
     void on(const Arrived& arrived);
     void on(const LinkLost& lost);
+    void listen_for_farewell(const protocol::ServerMessage& message);
     void run_errand();
     void start_turn_if_new();
     void send_seen();
@@ -169,6 +171,7 @@ class Game {
     std::optional<Known> forgotten_by_;  ///< Greeted with a token; none once it is welcome.
     bool is_forgotten_ = false;
     std::string lost_;
+    std::string farewell_;  ///< What the server said last, where that tells why it closes the link.
     bool coming_back_ = false;
     std::string refusal_;
     Errand errand_;
@@ -181,7 +184,7 @@ class Game {
     std::optional<model::TurnNumber> turn_;       ///< The one that `shot_` and `placing_` are for.
     std::optional<std::uint32_t> awaited_;        ///< The request that moves the match on.
     bool shoots_once_placed_ = false;
-    bool asked_to_start_ = false;
+    bool asked_to_start_ = false;           ///< Not answered yet.
     std::optional<std::uint32_t> leaving_;  ///< The request to leave the table.
     std::optional<model::Shot> shown_aim_;
     base::Instant aim_sent_at_{};

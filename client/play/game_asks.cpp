@@ -1,6 +1,7 @@
 // Takes what a person asks for besides the shot; says it to the server.
 #include "client/play/game.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace billiards::client {
@@ -23,6 +24,14 @@ void Game::ready() {
 void Game::rematch() {
     ask(wire::Rematch{});
     asked_to_start_ = true;
+}
+
+bool Game::has_asked_to_start() const {
+    if (asked_to_start_) return true;
+    if (!state_.table || state_.table->row.playing) return false;
+    const std::vector<model::Seat>& mine = state_.table->my_seats;
+    const auto is_ready = [&](model::Seat seat) { return state_.table->row.seats[seat].ready; };
+    return !mine.empty() && std::ranges::all_of(mine, is_ready);
 }
 
 void Game::leave_table() {

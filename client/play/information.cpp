@@ -47,6 +47,7 @@ std::string at_the_table(const Game& game, const TableView& table) {
             return "Waiting for a second player.";
         }
         if (!is_seated) return "The players get ready.";
+        if (game.has_asked_to_start()) return "Waiting until the other player is ready.";
         if (has_both_seats(table)) return "Press Start when you are ready.";
         return fmt::format("Press {} when you are ready.",
                            is_between_the_same(table) ? "Rematch" : "Start");

@@ -3,11 +3,13 @@
 #include "client/play/game.h"
 
 #include "client/net/clock.h"
+#include "tests/client/net/fake_server.h"
 #include "tests/tools/test_server.h"
 
 #include <chrono>
 #include <functional>
 #include <gtest/gtest.h>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -130,6 +132,56 @@ TEST_F(GameTest, AServerThatIsNotThereIsToldInWords) {
     here.connect({.host = "127.0.0.1", .port = 1}, "Ada", LookAround{});
     ASSERT_TRUE(until({&here}, [&] { return !here.lost().empty(); }));
     EXPECT_FALSE(here.is_coming_back());
+}
+
+TEST_F(GameTest, AServerThatClosesTheLinkIsQuotedOnWhy) {
+    FakeServer server([](FakeServer& self) {
+        Peer peer = self.accept();
+        peer.exchange_preambles();
+        peer.read();
+        peer.write(protocol::server::Refused{
+            .code = protocol::RefusedCode::BadName, .match_code = {}, .detail = "name: 0 of 24"});
+    });
+    Game here(1);
+    here.connect(server.address(), "Ada", LookAround{});
+    ASSERT_TRUE(until({&here}, [&] { return !here.lost().empty(); }));
+    EXPECT_EQ(here.lost(), "this name cannot be used: it is empty, too long or no text");
+    server.finish();
+}
+
+TEST_F(GameTest, BytesThatAreNoMessageAreToldWithoutWhatWasWrongWithThem) {
+    FakeServer server([](FakeServer& self) {
+        Peer peer = self.accept();
+        peer.exchange_preambles();
+        peer.read();
+        peer.write(std::string(8, '\x01'));
+        peer.wait_until_closed();
+    });
+    Game here(1);
+    here.connect(server.address(), "Ada", LookAround{});
+    ASSERT_TRUE(until({&here}, [&] { return !here.lost().empty(); }));
+    EXPECT_EQ(here.lost(), "the server sent what this program does not understand");
+    here.disconnect();
+    server.finish();
+}
+
+TEST_F(GameTest, ReadyIsSaidAgainOnceTheTableIsChanged) {
+    Game ada(1);
+    Game grace(2);
+    ada.connect(server_.address(), "Ada", OpenTable{a_table(protocol::Role::Player)});
+    ASSERT_TRUE(until({&ada}, [&] { return ada.known().table.has_value(); }));
+    grace.connect(server_.address(), "Grace", GoToTable{{.table = ada.known().table->row.table}});
+    ASSERT_TRUE(until({&ada, &grace}, [&] { return grace.known().table.has_value(); }));
+    grace.ready();
+    EXPECT_TRUE(grace.has_asked_to_start());
+    ASSERT_TRUE(
+        until({&ada, &grace}, [&] { return ada.known().table->row.seats[Seat::Second].ready; }));
+    EXPECT_TRUE(grace.has_asked_to_start());
+    protocol::client::ChangeTable change;
+    change.settings = ada.known().table->row.settings;
+    change.settings.race_to = 2;
+    ada.change_table(change);
+    EXPECT_TRUE(until({&ada, &grace}, [&] { return !grace.has_asked_to_start(); }));
 }
 
 TEST_F(GameTest, TheLobbyListsTheTables) {
