@@ -1,11 +1,10 @@
 // Takes what is said at the table; draws its last lines at the lower left, and takes one to be
 // said. A click on a name mutes it.
 #include "client/ui/hud_parts.h"
+#include "client/ui/text_input.h"
 #include "common/protocol/limits.h"
 
 #include <algorithm>
-#include <fmt/format.h>
-#include <imgui_stdlib.h>
 
 namespace billiards::client {
 
@@ -13,9 +12,26 @@ namespace {
 
 constexpr std::size_t kLinesShown = 5;
 constexpr float kWidth = 330.0F;
+/// Of the lines together, unless it is one: they lie over the table.
+constexpr float kMostHeight = 130.0F;
 
 bool is_alone(const TableView& table) {
     return table.my_seats.size() == 2 && table.row.spectators == 0;
+}
+
+/// It stands below its speaker's name, not beside it.
+bool is_long(const Screen& screen, const ChatLine& line) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    return ImGui::CalcTextSize(line.name.c_str()).x + gap +
+               ImGui::CalcTextSize(line.text.c_str()).x >
+           kWidth * screen.scale;
+}
+
+float height_of(const Screen& screen, const ChatLine& line) {
+    if (!is_long(screen, line)) return ImGui::GetTextLineHeightWithSpacing();
+    const float width = kWidth * screen.scale;
+    return ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y +
+           ImGui::CalcTextSize(line.text.c_str(), nullptr, false, width).y;
 }
 
 void draw_line(Screen& screen, const ChatLine& line, std::size_t number) {
@@ -26,17 +42,25 @@ void draw_line(Screen& screen, const ChatLine& line, std::size_t number) {
     if (!is_mine && ImGui::IsItemClicked()) screen.game.mute(line.name);
     if (!is_mine) screen.controls.note("Mute " + line.name);
     if (!is_mine && ImGui::IsItemHovered()) ImGui::SetTooltip("Click to mute");
-    ImGui::SameLine();
-    ImGui::TextWrapped("%s", line.text.c_str());
+    if (!is_long(screen, line)) ImGui::SameLine();
+    ImGui::TextUnformatted(line.text.c_str());
     ImGui::PopID();
 }
 
+/// The newest that have room.
 void draw_lines(Screen& screen) {
     const auto& chat = screen.game.known().chat;
-    const std::size_t shown = std::min(chat.size(), kLinesShown);
-    for (std::size_t i = chat.size() - shown; i < chat.size(); ++i) {
-        draw_line(screen, chat[i], i);
+    std::size_t first = chat.size();
+    float height = 0.0F;
+    while (first > 0 && chat.size() - first < kLinesShown) {
+        height += height_of(screen, chat[first - 1]);
+        if (height > kMostHeight * screen.scale && first < chat.size()) break;
+        --first;
     }
+    // As wide as it is meant to be: a strip that fits its words would ask them how wide they are.
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + kWidth * screen.scale);
+    for (std::size_t i = first; i < chat.size(); ++i) draw_line(screen, chat[i], i);
+    ImGui::PopTextWrapPos();
 }
 
 void draw_muted(Screen& screen) {
@@ -57,8 +81,8 @@ void draw_field(Screen& screen) {
     TalkState& talk = screen.talk;
     if (std::exchange(talk.takes_focus, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(kWidth * screen.scale);
-    const bool is_entered = ImGui::InputTextWithHint(
-        "##say", "say something; Enter sends it", &talk.text, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool is_entered =
+        text_input("##say", "say something; Enter sends it", talk.text, protocol::kMaxChatLength);
     screen.controls.note("Say");
     const bool is_done = is_entered || ImGui::IsItemDeactivated();
     if (is_entered && !talk.text.empty()) {

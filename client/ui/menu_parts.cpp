@@ -1,8 +1,10 @@
 // Takes words; draws controls of the menu's width, and notes where they are.
 #include "client/ui/menu_parts.h"
 
+#include "client/ui/text_input.h"
+#include "common/protocol/limits.h"
+
 #include <fmt/format.h>
-#include <imgui_stdlib.h>
 
 namespace billiards::client {
 
@@ -51,10 +53,10 @@ bool half_button(Screen& screen, const char* name, bool is_second) {
     return is_clicked;
 }
 
-bool text_field(Screen& screen, const char* name, std::string& text, const char* hint) {
+bool text_field(Screen& screen, const char* name, std::string& text, std::size_t most,
+                const char* hint) {
     begin_line(screen, name);
-    const bool is_entered = ImGui::InputTextWithHint(fmt::format("##{}", name).c_str(), hint, &text,
-                                                     ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool is_entered = text_input(fmt::format("##{}", name).c_str(), hint, text, most);
     screen.controls.note(name);
     return is_entered;
 }
@@ -75,6 +77,7 @@ void check_box(Screen& screen, const char* text, const char* name, bool& value) 
 void open(Screen& screen, MenuPage page) {
     screen.menu.page = page;
     screen.menu.trouble.clear();
+    screen.game.forget_refusal();
 }
 
 void say_refusal(Screen& screen) {
@@ -110,9 +113,10 @@ void draw_wishes(Screen& screen) {
                      wishes.delay_s == 0 ? "see it at once" : "see it %d s late");
     screen.controls.note("Spectators");
     check_box(screen, "Private: by invite or passcode only", "Private", wishes.is_private);
-    if (wishes.is_private) {
-        text_field(screen, "Passcode", wishes.passcode, "none: by invite only");
-    }
+    if (!wishes.is_private) return;
+    text_field(
+        screen, "Passcode", wishes.passcode, protocol::kMaxPasscodeLength,
+        wishes.has_passcode ? "as it was, until a new one is typed" : "none: by invite only");
 }
 
 }  // namespace billiards::client

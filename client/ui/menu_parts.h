@@ -12,8 +12,9 @@ namespace billiards::client {
 bool wide_button(Screen& screen, const char* name);
 /// Two of them side by side: the first of a row keeps its place for the second.
 bool half_button(Screen& screen, const char* name, bool is_second);
-/// True where Enter ends it: the page does then what it is for.
-bool text_field(Screen& screen, const char* name, std::string& text, const char* hint = "");
+/// True where Enter ends it: the page does then what it is for. Never more than `most` letters.
+bool text_field(Screen& screen, const char* name, std::string& text, std::size_t most,
+                const char* hint = "");
 void quiet_line(const Screen& screen, const char* text);
 void check_box(Screen& screen, const char* text, const char* name, bool& value);
 void open(Screen& screen, MenuPage page);

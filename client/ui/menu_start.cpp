@@ -1,12 +1,17 @@
 // Takes clicks on the pages before a table: what to play, where to host; does it.
 #include "client/ui/menu_parts.h"
 #include "client/ui/ways.h"
+#include "common/protocol/limits.h"
 
 #include <array>
 
 namespace billiards::client {
 
 namespace {
+
+constexpr std::size_t kMostDigits = 5;  ///< Of a port.
+/// The longest name of a host has 253 letters; an invite has some forty more.
+constexpr std::size_t kLongestAddress = 400;
 
 void open_join(Screen& screen, bool watches) {
     open(screen, MenuPage::Join);
@@ -35,8 +40,8 @@ void draw_main_page(Screen& screen) {
 
 void draw_host_page(Screen& screen) {
     MenuState& menu = screen.menu;
-    bool opens = text_field(screen, "Your name", menu.name);
-    opens |= text_field(screen, "Port", menu.port);
+    bool opens = text_field(screen, "Your name", menu.name, protocol::kMaxNameLength);
+    opens |= text_field(screen, "Port", menu.port, kMostDigits);
     draw_wishes(screen);
     check_box(screen, "Others may come over the network", "For others", menu.is_for_others);
     if (menu.is_for_others) {
@@ -49,8 +54,8 @@ void draw_host_page(Screen& screen) {
 
 void draw_quick_page(Screen& screen) {
     quiet_line(screen, "Against whoever waits for this game at a server.");
-    bool goes = text_field(screen, "Your name", screen.menu.name);
-    goes |= text_field(screen, "Server", screen.menu.address);
+    bool goes = text_field(screen, "Your name", screen.menu.name, protocol::kMaxNameLength);
+    goes |= text_field(screen, "Server", screen.menu.address, kLongestAddress);
     draw_games(screen);
     goes |= wide_button(screen, "Find a match");
     if (goes) find_match(screen);
@@ -59,8 +64,8 @@ void draw_quick_page(Screen& screen) {
 
 void draw_join_page(Screen& screen) {
     quiet_line(screen, "A server's address, or the invite that somebody sent you.");
-    bool connects = text_field(screen, "Your name", screen.menu.name);
-    connects |= text_field(screen, "Server", screen.menu.address);
+    bool connects = text_field(screen, "Your name", screen.menu.name, protocol::kMaxNameLength);
+    connects |= text_field(screen, "Server", screen.menu.address, kLongestAddress);
     connects |= wide_button(screen, "Connect");
     if (connects) go_to_server(screen);
     draw_back(screen);

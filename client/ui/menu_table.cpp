@@ -4,6 +4,7 @@
 #include "client/play/offered.h"
 #include "client/ui/menu_parts.h"
 #include "client/ui/ways.h"
+#include "common/protocol/limits.h"
 
 #include <fmt/format.h>
 
@@ -44,6 +45,7 @@ void begin_changes(Screen& screen, const protocol::server::TableRow& row) {
     wishes.table_size = static_cast<int>(row.settings.table);
     wishes.delay_s = static_cast<int>(row.settings.spectator_delay_s);
     wishes.is_private = row.is_private;
+    wishes.has_passcode = row.has_passcode;
     wishes.passcode.clear();
     open(screen, MenuPage::Table);
 }
@@ -86,7 +88,8 @@ void draw_kicks(Screen& screen, const protocol::server::TableRow& row) {
         if (wide_button(screen, "Send the other player away")) screen.game.kick(name);
         ImGui::PopID();
     }
-    const bool is_entered = text_field(screen, "Send away", screen.menu.kicked, "Name#1a2b");
+    const bool is_entered = text_field(screen, "Send away", screen.menu.kicked,
+                                       protocol::kMaxShownNameLength, "Name#1a2b, then Enter");
     if (!is_entered || screen.menu.kicked.empty()) return;
     screen.game.kick(screen.menu.kicked);
     screen.menu.kicked.clear();

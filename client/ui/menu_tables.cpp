@@ -2,6 +2,7 @@
 #include "client/play/information.h"
 #include "client/ui/menu_parts.h"
 #include "client/ui/ways.h"
+#include "common/protocol/limits.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -18,6 +19,7 @@ constexpr float kGameAt = 0.24F;
 constexpr float kPlayersAt = 0.34F;
 constexpr float kRaceAt = 0.70F;
 constexpr float kStateAt = 0.81F;
+constexpr std::size_t kMostDigits = 10;  ///< Of a table's number.
 
 /// Cut off where the next word of the row begins.
 void draw_word(const Screen& screen, const ImVec2& row, float from, float to,
@@ -104,8 +106,8 @@ void draw_tables_page(Screen& screen) {
 void draw_private_page(Screen& screen) {
     if (has_arrived(screen)) return;
     quiet_line(screen, "Whoever sits there knows its number and its passcode.");
-    bool goes = text_field(screen, "Number", screen.menu.table_number);
-    goes |= text_field(screen, "Passcode", screen.menu.passcode);
+    bool goes = text_field(screen, "Number", screen.menu.table_number, kMostDigits);
+    goes |= text_field(screen, "Passcode", screen.menu.passcode, protocol::kMaxPasscodeLength);
     goes |= wide_button(screen, screen.menu.watches ? "Watch there" : "Sit down");
     if (goes) go_to_private_table(screen);
     say_refusal(screen);

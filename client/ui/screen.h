@@ -28,6 +28,7 @@ struct TableWishes {
     int table_size = 2;  ///< Of model::TableSize.
     int delay_s = 0;     ///< Of spectators.
     bool is_private = false;
+    bool has_passcode = false;  ///< The table that is to be changed has one already.
     std::string passcode;
 };
 
