@@ -56,7 +56,9 @@ Window::Window(const WindowOptions& options) : library_(options.is_offscreen) {
                "Is a graphics driver installed (Debian: "
                "libgl1-mesa-dri, libegl1)?");
     }
-    SDL_SetWindowMinimumSize(window_.get(), kMinWidth, kMinHeight);
+    // A picture is as large as it was asked for: without a display SDL would widen the window
+    // alone.
+    if (!options.is_offscreen) SDL_SetWindowMinimumSize(window_.get(), kMinWidth, kMinHeight);
     context_.reset(SDL_GL_CreateContext(window_.get()));
     if (!context_) {
         cannot("OpenGL 3.3 is not there",

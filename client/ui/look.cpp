@@ -30,7 +30,7 @@ void set_colors(ImGuiStyle& style) {
     style.Colors[ImGuiCol_TextDisabled] = colors::kQuiet;
     style.Colors[ImGuiCol_WindowBg] = colors::kPanel;
     style.Colors[ImGuiCol_PopupBg] = colors::kPanel;
-    style.Colors[ImGuiCol_Border] = ImVec4{1.0F, 1.0F, 1.0F, 0.08F};
+    style.Colors[ImGuiCol_Border] = ImVec4{1.0F, 1.0F, 1.0F, 0.14F};
     style.Colors[ImGuiCol_Button] = button;
     style.Colors[ImGuiCol_ButtonHovered] = hovered;
     style.Colors[ImGuiCol_ButtonActive] = pressed;
@@ -60,6 +60,7 @@ Letters set_look(float scale) {
     style.PopupRounding = 8.0F;
     style.ChildRounding = 5.0F;
     style.WindowBorderSize = 0.0F;
+    style.FrameBorderSize = 1.0F;  // What is neither ticked nor chosen would hardly be seen.
     style.FramePadding = {10.0F, 5.0F};
     style.DisabledAlpha = 0.35F;
     style.ItemSpacing = {8.0F, 6.0F};
