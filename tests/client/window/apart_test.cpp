@@ -1,13 +1,9 @@
 // Plays in two windows at one server, where things go wrong or are agreed upon; gives whether both
 // go on without help from outside.
-#include "tests/client/window/test_window.h"
-#include "tests/tools/test_server.h"
+#include "tests/client/window/two_windows.h"
 
 #include <chrono>
 #include <csignal>
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,62 +11,7 @@
 namespace billiards::client {
 namespace {
 
-bool is_at_table(const Json& shown) {
-    return !shown.at("table").is_null();
-}
-
-bool is_playing(const Json& shown) {
-    return is_at_table(shown) && !shown.at("table").at("match").is_null() &&
-           shown.at("table").at("match").at("stage") != 2;
-}
-
-class WindowsApart : public testing::Test {
-  protected:
-    /// Claims are not waited for.
-    static server::LobbyLimits limits() {
-        server::LobbyLimits limits;
-        limits.absence_grace = base::Duration::zero();
-        return limits;
-    }
-
-    void open(std::optional<TestWindow>& window, const std::string& name,
-              const std::string& to = "") {
-        window.emplace(
-            std::vector<std::string>{"--server", to.empty() ? address_ : to, "--name", name});
-    }
-
-    /// Ada opens a table, Grace sits down there, both are ready.
-    void start_match() {
-        open(ada_, "Ada");
-        open_table(*ada_);
-        open(grace_, "Grace");
-        grace_->click(fmt::format("Table {}", ada_->seen().at("table").at("id").get<int>()));
-        grace_->until("comes to the table", is_at_table);
-        start("Start");
-    }
-    void start(const std::string& button) {
-        for (auto* window : {&ada_, &grace_}) {
-            (*window)->until("knows that both are there", [](const Json& shown) {
-                return shown.at("information").back() != "Waiting for a second player.";
-            });
-        }
-        for (auto* window : {&ada_, &grace_}) (*window)->click(button);
-        for (auto* window : {&ada_, &grace_}) (*window)->until("sees it begin", is_playing);
-    }
-
-    TestWindow& breaker() {
-        const Json& table = ada_->seen().at("table");
-        const bool is_ada = table.at("seats").at(0) == table.at("match").at("to_act");
-        TestWindow& player = is_ada ? *ada_ : *grace_;
-        player.until("may break", may_shoot);
-        return player;
-    }
-
-    tools::TestServer server_{{}, limits()};
-    std::string address_ = to_text(server_.address());
-    std::optional<TestWindow> ada_;
-    std::optional<TestWindow> grace_;
-};
+using WindowsApart = TwoWindows;
 
 TEST_F(WindowsApart, AQuickMatchBringsTwoToOneTable) {
     for (auto* window : {&ada_, &grace_}) {
@@ -95,10 +36,7 @@ TEST_F(WindowsApart, APrivateTableIsFoundByItsInviteAlone) {
     ada_->until("has an invite", [](const Json& shown) { return shown.at("copied") != ""; });
     open(grace_, "Grace");
     grace_->until_there("A private table");
-    EXPECT_FALSE(
-        grace_->seen()
-            .at("controls")
-            .contains(fmt::format("Table {}", ada_->seen().at("table").at("id").get<int>())));
+    EXPECT_FALSE(grace_->seen().at("controls").contains(row_of_table()));
     open(grace_, "Grace", ada_->seen().at("copied"));
     grace_->until("comes by the invite", is_at_table);
     start("Start");
@@ -109,7 +47,7 @@ TEST_F(WindowsApart, TheListOfTablesFollowsItsChanges) {
     grace_->until_there("A private table");
     open(ada_, "Ada");
     open_table(*ada_);
-    grace_->until_there(fmt::format("Table {}", ada_->seen().at("table").at("id").get<int>()));
+    grace_->until_there(row_of_table());
 }
 
 TEST_F(WindowsApart, TheMatchOfAnOpponentWhoHasGoneIsClaimed) {
@@ -164,7 +102,7 @@ TEST_F(WindowsApart, AWatcherGoesBackToTheStartAndToTheLiveMatchAgain) {
     start_match();
     std::optional<TestWindow> mary;
     mary.emplace(std::vector<std::string>{"--server", address_, "--name", "Mary", "--watch"});
-    mary->click(fmt::format("Table {}", ada_->seen().at("table").at("id").get<int>()));
+    mary->click(row_of_table());
     mary->until("watches", is_playing);
     mary->click("From the start");
     mary->until("is at the start",

@@ -137,6 +137,23 @@ TEST(WindowMenu, PracticeBeginsAloneWithTheBalls) {
     EXPECT_EQ(window.seen().at("information").back(), "Practice: play any ball anywhere.");
 }
 
+TEST(WindowMenu, ABallThatIsDraggedInPracticeGoesBackByUndo) {
+    TestWindow window;
+    window.click("Practice");
+    until_turn(window);
+    const Json before = window.seen().at("table").at("match").at("balls");
+    window.drag(window.ball(1), {-40, 90});
+    const auto is_back = [&](const Json& shown) {
+        return shown.at("table").at("match").at("balls") == before;
+    };
+    window.until("has moved the ball", [&](const Json& shown) { return !is_back(shown); });
+    const Json after = window.seen().at("table").at("match").at("balls");
+    EXPECT_NE(after.at("1"), before.at("1"));
+    EXPECT_EQ(after.at("2"), before.at("2"));
+    window.tap("u");
+    window.until("has taken it back", is_back);
+}
+
 TEST(WindowMenu, QuitEndsTheProgram) {
     TestWindow window;
     window.click("Quit");
