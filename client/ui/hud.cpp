@@ -97,9 +97,11 @@ void draw_call(const Screen& screen, const match::MatchState& match, const OnTab
     }
 }
 
-/// The first three things that a new player must know, until somebody has shot.
+/// The first three things that a new player must know, until somebody has shot. What is said at
+/// the table stands in the same place.
 void draw_hints(const Screen& screen, const match::MatchState& match) {
     if (match.shots_played > 0 || !screen.game.acting()) return;
+    if (screen.talk.is_open || !screen.game.known().chat.empty()) return;
     constexpr std::array kHints{
         "Aim: move the mouse over the table.",
         "Shoot: press the left button, pull back, let go. Or wheel for power, and Space.",
