@@ -114,9 +114,4 @@ std::string words(const protocol::server::Refused& refused) {
     return detail;
 }
 
-std::string words(const Lost& lost) {
-    if (lost.code != LostCode::Malformed) return lost.reason;
-    return "the server sent what this program does not understand";
-}
-
 }  // namespace billiards::client

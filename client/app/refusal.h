@@ -1,7 +1,6 @@
 // Takes what a server would not do; gives the sentence that its asker reads.
 #pragma once
 
-#include "client/net/lost.h"
 #include "common/protocol/messages.h"
 
 #include <string>
@@ -11,8 +10,5 @@ namespace billiards::client {
 /// "the balls are still rolling": without a capital or a full stop, as every sentence of narrate.h.
 /// What the server adds in its own words stands behind it where it says more.
 std::string words(const protocol::server::Refused& refused);
-
-/// Why the link is lost, likewise. What was wrong with bytes says nothing to a player.
-std::string words(const Lost& lost);
 
 }  // namespace billiards::client

@@ -17,6 +17,12 @@ namespace server = protocol::server;
 
 constexpr base::Duration kAimEvery = std::chrono::milliseconds(100);
 
+/// What was wrong with bytes says nothing to a player.
+std::string in_words(const Lost& lost) {
+    if (lost.code != LostCode::Malformed) return lost.reason;
+    return "the server sent what this program does not understand";
+}
+
 /// Who is ready is known anew.
 bool settles_readiness(const protocol::ServerMessage& message) {
     return std::holds_alternative<server::SeatChanged>(message) ||
@@ -149,7 +155,7 @@ void Game::on(const LinkLost& lost) {
     }
     state_ = with_link_lost(std::move(state_));
     const bool is_told_why = lost.lost.code == LostCode::Closed && !farewell_.empty();
-    lost_ = is_told_why ? std::exchange(farewell_, {}) : words(lost.lost);
+    lost_ = is_told_why ? std::exchange(farewell_, {}) : in_words(lost.lost);
     coming_back_ = lost.retry_after.has_value();
     if (!coming_back_) link_.reset();
 }
