@@ -235,7 +235,7 @@ void Hands::handle_keys(Screen& screen) {
     handle_arrows(screen);
     if (pressed(SDL_SCANCODE_RETURN)) press_return(screen);
     if (pressed(SDL_SCANCODE_U)) screen.game.undo();
-    if (pressed(SDL_SCANCODE_SPACE) && !ImGui::GetIO().WantCaptureKeyboard) screen.game.shoot();
+    if (pressed(SDL_SCANCODE_SPACE) && !ImGui::IsAnyItemActive()) screen.game.shoot();
     if (pressed(SDL_SCANCODE_E)) press_spin_key(screen);
     if (pressed(SDL_SCANCODE_Z)) screen.game.skip_roll();
     if (pressed(SDL_SCANCODE_O)) screen.camera.look_from_above();

@@ -44,6 +44,13 @@ TEST_F(WindowShots, SpacePlaysIt) {
     until_played(before);
 }
 
+TEST_F(WindowShots, SpacePlaysItAtOnceAfterAButtonWasClicked) {
+    const int before = shots(window_.seen());
+    window_.click("Center Spin");
+    window_.tap("space");
+    until_played(before);
+}
+
 TEST_F(WindowShots, PullingBackAndLettingGoPlaysItAsFarAsItWasPulled) {
     const int before = shots(window_.seen());
     window_.press();
