@@ -114,7 +114,7 @@ RowText text_of(const protocol::server::TableRow& row) {
                                     row.racks_won[Seat::Second]);
     }
     if (!is_practice) text.race = fmt::format("race to {}", row.settings.race_to);
-    text.state = row.playing ? "playing" : has_room(row) ? "open" : "between matches";
+    text.state = row.playing ? "playing" : has_room(row) ? "open" : "getting ready";
     if (row.spectators > 0) text.state += fmt::format(", {} watching", row.spectators);
     return text;
 }

@@ -79,10 +79,12 @@ void send_changes(Screen& screen, const protocol::server::TableRow& row) {
     screen.game.change_table(change);
 }
 
-void draw_kicks(Screen& screen, const protocol::server::TableRow& row) {
+/// Players stay until their match is over.
+void draw_kicks(Screen& screen, const protocol::server::TableRow& row, bool is_playing) {
     for (const model::Seat seat : model::kSeats) {
         const std::string& name = row.seats[seat].name;
-        if (!row.seats[seat].taken || name == screen.game.known().name) continue;
+        const bool is_other = row.seats[seat].taken && name != screen.game.known().name;
+        if (!is_other || is_playing) continue;
         // Apart from its text: names may have "##".
         ImGui::PushID(static_cast<int>(seat));
         if (wide_button(screen, "Send the other player away")) screen.game.kick(name);
@@ -104,7 +106,7 @@ void draw_owners_page(Screen& screen, const TableView& table) {
         draw_wishes(screen);
         if (wide_button(screen, "Change the table")) send_changes(screen, table.row);
     }
-    draw_kicks(screen, table.row);
+    draw_kicks(screen, table.row, is_playing);
     draw_back(screen);
 }
 

@@ -39,7 +39,7 @@ TEST(TableText, ATableWithAFreeSeatIsOpen) {
 TEST(TableText, APlayerWithBothSeatsIsNamedOnce) {
     EXPECT_EQ(text_of(row("Ada#1", "Ada#1")).players, "Ada#1, both sides, 0 - 0");
     EXPECT_FALSE(has_room(row("Ada#1", "Ada#1")));
-    EXPECT_EQ(text_of(row("Ada#1", "Ada#1")).state, "between matches");
+    EXPECT_EQ(text_of(row("Ada#1", "Ada#1")).state, "getting ready");
 }
 
 TEST(TableText, PracticeHasNeitherScoreNorRace) {
