@@ -3,6 +3,7 @@
 #include "client/play/game.h"
 
 #include "client/net/clock.h"
+#include "tests/client/app/told.h"
 #include "tests/client/net/fake_server.h"
 #include "tests/tools/test_server.h"
 
@@ -161,6 +162,52 @@ TEST_F(GameTest, BytesThatAreNoMessageAreToldWithoutWhatWasWrongWithThem) {
     here.connect(server.address(), "Ada", LookAround{});
     ASSERT_TRUE(until({&here}, [&] { return !here.lost().empty(); }));
     EXPECT_EQ(here.lost(), "the server sent what this program does not understand");
+    here.disconnect();
+    server.finish();
+}
+
+/// Ada is at the table and may shoot; what the server does then.
+FakeServer::Script at_a_table(const std::function<void(Peer&)>& then) {
+    return [then](FakeServer& self) {
+        Peer peer = self.accept();
+        peer.exchange_preambles();
+        peer.read_a<protocol::client::Hello>();
+        peer.write(told::welcome());
+        peer.write(told::snapshot(1, {Seat::First}, told::match_at(3, Seat::First)));
+        then(peer);
+        peer.wait_until_closed();
+    };
+}
+
+TEST_F(GameTest, ARefusalThatNamesNothingEndsTheWaitingForAShot) {
+    FakeServer server(at_a_table([](Peer& peer) {
+        peer.read_a<protocol::client::TakeShot>();
+        peer.write(protocol::server::Refused{.code = protocol::RefusedCode::Malformed,
+                                             .match_code = {},
+                                             .detail = "shot: no number"});
+    }));
+    Game here(1);
+    here.connect(server.address(), "Ada", LookAround{});
+    ASSERT_TRUE(until({&here}, [&] { return here.acting().has_value(); }));
+    here.shoot();
+    EXPECT_FALSE(here.acting());
+    EXPECT_TRUE(until({&here}, [&] { return here.acting().has_value(); }));
+    EXPECT_EQ(here.refusal(), "the server did not understand what was asked of it");
+    here.disconnect();
+    server.finish();
+}
+
+TEST_F(GameTest, ATableThatWasClosedIsToldSo) {
+    FakeServer server(at_a_table([](Peer& peer) {
+        peer.write(protocol::server::Notice{.code = protocol::server::NoticeCode::TableClosed,
+                                            .detail = ""});
+    }));
+    Game here(1);
+    here.connect(server.address(), "Ada", LookAround{});
+    EXPECT_TRUE(until({&here}, [&] {
+        return here.refusal() == "the table is closed: nobody had been there for too long";
+    }));
+    EXPECT_FALSE(here.known().table);
     here.disconnect();
     server.finish();
 }
