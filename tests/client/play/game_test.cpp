@@ -197,6 +197,22 @@ TEST_F(GameTest, ARefusalThatNamesNothingEndsTheWaitingForAShot) {
     server.finish();
 }
 
+TEST_F(GameTest, TheServerIsAskedToSpotTheNearestBallOfThisTurn) {
+    FakeServer server(at_a_table([](Peer& peer) {
+        EXPECT_EQ(peer.read_a<protocol::client::SpotNearest>().turn, model::TurnNumber{3});
+        peer.write(protocol::server::Refused{.code = protocol::RefusedCode::Match,
+                                             .match_code = match::RefusalCode::NotSpottable,
+                                             .detail = ""});
+    }));
+    Game here(1);
+    here.connect(server.address(), "Ada", LookAround{});
+    ASSERT_TRUE(until({&here}, [&] { return here.acting().has_value(); }));
+    here.spot_nearest();
+    EXPECT_TRUE(until({&here}, [&] { return here.refusal() == "no ball is spotted now"; }));
+    here.disconnect();
+    server.finish();
+}
+
 TEST_F(GameTest, ATableThatWasClosedIsToldSo) {
     FakeServer server(at_a_table([](Peer& peer) {
         peer.write(protocol::server::Notice{.code = protocol::server::NoticeCode::TableClosed,

@@ -140,6 +140,15 @@ TEST(Offered, CallsThatTheGameDoesNotKnowAreNotOffered) {
     EXPECT_TRUE(offered_to(table_of(nine)).push_out);
 }
 
+TEST(Offered, TheNearestBallIsSpottedWhereNoLegalOneCanBeShotAt) {
+    match::MatchState match = broken();
+    match.rack.in_hand = rules::Zone::BehindHeadString;
+    EXPECT_FALSE(offered_to(table_of(match)).spot_nearest);
+    match.rack.behind_head_string = match.rack.on_table;
+    EXPECT_TRUE(offered_to(table_of(match)).spot_nearest);
+    EXPECT_FALSE(offered_to(table_of(match), std::nullopt).spot_nearest);
+}
+
 TEST(Offered, NoShotIsOfferedWhileAChoiceIsDue) {
     match::MatchState match = broken();
     EXPECT_TRUE(offered_to(table_of(match)).shoot);
