@@ -144,12 +144,15 @@ class Reduction {
                                   ->offset;
     }
 
-    /// The table is as it was: what was missed follows as if it had never been away.
+    /// The table is as it was: what was missed follows as if it had never been away. But whoever
+    /// was away is not ready any more.
     void on(const server::Resumed& message) {
         guess_clock(message.server_time_us);
         if (!state_.table || state_.table->row.table != message.table) return;
         state_.link = LinkState::Ready;
         state_.table->my_seats = message.your_seats;
+        for (const model::Seat seat : message.your_seats)
+            state_.table->row.seats[seat].ready = false;
         state_.is_table_stale = false;
     }
 

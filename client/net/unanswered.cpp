@@ -138,17 +138,16 @@ bool takes_the_table_away(const protocol::ServerMessage& message) {
 bool may_be_repeated(const protocol::ClientMessageBody& request) {
     return std::visit(
         []<class Request>(const Request&) {
-            return (
-                std::is_same_v<Request, asked::TakeShot> ||
-                std::is_same_v<Request, asked::PlaceCueBall> ||
-                std::is_same_v<Request, asked::Choose> || std::is_same_v<Request, asked::Extend> ||
-                std::is_same_v<Request, asked::Answer> ||
-                std::is_same_v<Request, asked::ClaimStalemate> ||
-                std::is_same_v<Request, asked::SpotNearest> ||
-                std::is_same_v<Request, asked::Concede> ||
-                std::is_same_v<Request, asked::ClaimMatch> ||
-                std::is_same_v<Request, asked::Ready> || std::is_same_v<Request, asked::Rematch> ||
-                std::is_same_v<Request, asked::Leave>);
+            return (std::is_same_v<Request, asked::TakeShot> ||
+                    std::is_same_v<Request, asked::PlaceCueBall> ||
+                    std::is_same_v<Request, asked::Choose> ||
+                    std::is_same_v<Request, asked::Extend> ||
+                    std::is_same_v<Request, asked::Answer> ||
+                    std::is_same_v<Request, asked::ClaimStalemate> ||
+                    std::is_same_v<Request, asked::SpotNearest> ||
+                    std::is_same_v<Request, asked::Concede> ||
+                    std::is_same_v<Request, asked::ClaimMatch> ||
+                    std::is_same_v<Request, asked::Leave>);
         },
         request);
 }

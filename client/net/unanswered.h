@@ -10,8 +10,9 @@ namespace billiards::client {
 
 /// Whether asking twice does no more than asking once, so that it may be asked again where the link
 /// was lost before an answer came: a shot by its id; what names its turn and ends it or can be done
-/// once in it; to be ready, to concede, to claim, to leave. Not an offer, which may have been
-/// declined meanwhile; not chat; not what opens or joins a table, nor practice.
+/// once in it; to concede, to claim, to leave. Not to be ready, for what will be played may have
+/// been changed meanwhile; not an offer, which may have been declined; not chat; not what opens or
+/// joins a table, nor practice.
 bool may_be_repeated(const protocol::ClientMessageBody& request);
 
 /// Whether `message` says what became of `request`, or shows that it is no longer worth asking.

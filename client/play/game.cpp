@@ -28,6 +28,7 @@ bool settles_readiness(const protocol::ServerMessage& message) {
     return std::holds_alternative<server::SeatChanged>(message) ||
            std::holds_alternative<server::TableChanged>(message) ||
            std::holds_alternative<server::TableSnapshot>(message) ||
+           std::holds_alternative<server::Resumed>(message) ||
            std::holds_alternative<server::MatchStarted>(message) ||
            std::holds_alternative<server::Refused>(message);
 }

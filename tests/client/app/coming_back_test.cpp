@@ -74,6 +74,15 @@ TEST(ComingBack, ResumedSaysWhichSeatsAreOnesOwn) {
               std::vector{Seat::Second});
 }
 
+TEST(ComingBack, WhoeverWasAwayIsNotReadyAnyMore) {
+    server::TableSnapshot ready = snapshot(1, {Seat::First}, std::nullopt);
+    for (const Seat seat : model::kSeats) ready.row.seats[seat].ready = true;
+    const ClientState back = after({resumed({Seat::First})},
+                                   with_link_lost(after({welcome(protocol::TableId{7}), ready})));
+    EXPECT_FALSE(back.table->row.seats[Seat::First].ready);
+    EXPECT_TRUE(back.table->row.seats[Seat::Second].ready);
+}
+
 TEST(ComingBack, ResumedAtAnotherTableThanTheKnownOneChangesNothingOfIt) {
     const ClientState lost = with_link_lost(playing());
     EXPECT_TRUE(after({resumed({Seat::Second}, 8)}, lost).is_table_stale);

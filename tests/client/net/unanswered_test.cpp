@@ -165,7 +165,7 @@ TEST(Unanswered, KeepsTheNewestOfEachKindInOrder) {
 
 TEST(Unanswered, WhoLeavesTakesBackWhatWasAskedBefore) {
     Unanswered unanswered;
-    unanswered.sent({1, asked::Ready{}});
+    unanswered.sent({1, asked::Concede{}});
     const protocol::ClientMessage leave{2, asked::Leave{}};
     unanswered.sent(leave);
     EXPECT_EQ(unanswered.all(), std::vector{leave});
@@ -180,15 +180,24 @@ TEST(Unanswered, KeepsNothingThatCouldBeDoneTwice) {
     EXPECT_TRUE(unanswered.all().empty());
 }
 
+TEST(Unanswered, KeepsNothingThatAcceptsATableWhichMayHaveChanged) {
+    Unanswered unanswered;
+    EXPECT_FALSE(unanswered.sent({1, asked::Ready{}}));
+    EXPECT_FALSE(unanswered.sent({2, asked::Rematch{}}));
+    EXPECT_TRUE(unanswered.all().empty());
+}
+
 TEST(Unanswered, KnowsItsSeatsFromTheTable) {
     Unanswered unanswered;
+    const server::MatchMoved extended = told::moved(
+        4, Seat::First, with([](auto& match) { match.extended_in[Seat::First] = kTurn; }));
     unanswered.received(told::snapshot(1, {Seat::Second}, std::nullopt));
-    unanswered.sent({1, asked::Ready{}});
-    unanswered.received(seats(true, false));
+    unanswered.sent({1, asked::Extend{kTurn}});
+    unanswered.received(extended);
     EXPECT_EQ(unanswered.all().size(), 1U);
     unanswered.received(
         server::Resumed{.table = {7}, .your_seats = {Seat::First}, .server_time_us = 0});
-    unanswered.received(seats(true, false));
+    unanswered.received(extended);
     EXPECT_TRUE(unanswered.all().empty());
 }
 

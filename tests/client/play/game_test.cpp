@@ -5,6 +5,7 @@
 #include "client/net/clock.h"
 #include "tests/client/app/told.h"
 #include "tests/client/net/fake_server.h"
+#include "tests/support/chaos_proxy.h"
 #include "tests/tools/test_server.h"
 
 #include <chrono>
@@ -255,6 +256,24 @@ TEST_F(GameTest, TheLobbyListsTheTables) {
     ASSERT_TRUE(until({&here, &mary}, [&] { return !mary.known().tables.empty(); }));
     mary.join({.table = mary.known().tables.front().table, .role = protocol::Role::Spectator});
     EXPECT_TRUE(until({&here, &mary}, [&] { return mary.known().table.has_value(); }));
+}
+
+TEST_F(GameTest, WhoWasReadyBeforeTheLinkWasLostIsAskedAgain) {
+    support::ChaosProxy proxy({asio::ip::address_v4::loopback(), server_.address().port}, {}, 1);
+    Game ada(1);
+    ada.connect({.host = "127.0.0.1", .port = proxy.port()}, "Ada",
+                OpenTable{a_table(protocol::Role::Player)});
+    ASSERT_TRUE(until({&ada}, [&] { return ada.known().table.has_value(); }));
+    const auto is_ready = [&] { return ada.known().table->row.seats[Seat::First].ready; };
+    ada.ready();
+    ASSERT_TRUE(until({&ada}, is_ready));
+    proxy.reset_all();
+    ASSERT_TRUE(until({&ada}, [&] { return !ada.is_connected(); }));
+    ASSERT_TRUE(until({&ada}, [&] { return ada.is_connected() && !ada.known().is_table_stale; }));
+    EXPECT_FALSE(is_ready());
+    EXPECT_FALSE(ada.has_asked_to_start());
+    ada.ready();
+    EXPECT_TRUE(until({&ada}, is_ready));
 }
 
 TEST_F(GameTest, AScreenComesBackToItsTableWhenTheServerStartsAgain) {
