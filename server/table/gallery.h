@@ -15,6 +15,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace billiards::server {
@@ -41,6 +42,8 @@ class Gallery {
     /// Something that has none: dropped while the gallery is full.
     void add(base::Instant now, std::shared_ptr<const protocol::ServerMessage> remark,
              std::size_t frame_bytes, Delivery delivery);
+    /// What is shown until something else is due, where nobody knows any more what was.
+    void begin_with(Picture shown) { shown_ = std::move(shown); }
     /// The table as it is, without what led to it.
     void jump(base::Instant now, Picture to);
 

@@ -200,6 +200,7 @@ class Table {
     void submit_and_forget(std::vector<Write> writes);
     void settle(const Committed& committed);
     void restore_match(base::Instant now, const Played& played);
+    void restore_gallery(base::Instant now);
     void happen(base::Instant now, Start start);
     void happen(base::Instant now, Step step, const Committed& committed);
     void go_on(base::Instant now, const Step& step, model::TurnNumber before);

@@ -209,7 +209,7 @@ void Table::restore(base::Instant now, const Sitters& sitters,
     }
     if (played) restore_match(now, *played);
     count_absence(now);
-    if (gallery_.is_delayed()) gallery_.jump(now, picture());
+    if (gallery_.is_delayed()) restore_gallery(now);
     saved_ = stored();
 }
 
@@ -229,6 +229,16 @@ void Table::restore_match(base::Instant now, const Played& played) {
         shot.turn = clock_.view();
         match_->last_shots[seat] = {shot.shot_id, protocol::encode(shot)};
     }
+}
+
+/// What was shown before is forgotten. So who sits here and whether they play is shown at once, for
+/// free seats would invite whoever is then refused; and all else when it may be.
+void Table::restore_gallery(base::Instant now) {
+    Picture seats;
+    seats.row = row_now();
+    seats.row.racks_won = {};
+    gallery_.begin_with(std::move(seats));
+    gallery_.jump(now, picture());
 }
 
 std::optional<base::Duration> Table::time_allowed() const {

@@ -161,14 +161,18 @@ TEST_F(GalleryTest, HasASpectatorResumeInAStreamOfItsOwn) {
     EXPECT_EQ(last<told::ShotPlayed>(back).struck_us, played.struck_us + kLate.count());
 }
 
-TEST_F(GalleryTest, ShowsNothingOfAMatchRightAfterARestart) {
+TEST_F(GalleryTest, ShowsRightAfterARestartWhoPlaysAndNothingOfTheMatch) {
     start_match(settings);
     shoot(1);
     restart();
     const SessionId late = greet("Late");
+    say(late, client::ListTables{});
+    const auto listed = last<told::TableList>(late).tables.front();
+    EXPECT_TRUE(listed.playing);
+    for (const Seat seat : model::kSeats) EXPECT_TRUE(listed.seats[seat].taken);
     say(late, client::Join{table, Role::Spectator});
     EXPECT_EQ(last<told::TableSnapshot>(late).match, std::nullopt);
-    EXPECT_FALSE(last<told::TableSnapshot>(late).row.playing);
+    EXPECT_EQ(last<told::TableSnapshot>(late).row, listed);
     pass(kLate);
     EXPECT_EQ(last<told::TableSnapshot>(late).match->shots_played, 1);
     EXPECT_EQ(outbox.told(late).back().delivery, Delivery::Fresh);
