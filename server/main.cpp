@@ -12,6 +12,7 @@
 #include <iostream>
 #include <spdlog/spdlog.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 namespace {
 
@@ -67,6 +68,7 @@ int run(const CommandLine& command_line, spdlog::logger& log) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    ::umask(S_IRWXG | S_IRWXO);  // What it keeps are others' names, matches and secrets.
     const auto command_line = parse_command_line(argc, argv, environment_variable);
     if (!command_line) {
         const Farewell& farewell = command_line.error();

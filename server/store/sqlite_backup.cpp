@@ -89,11 +89,13 @@ StoreResult<base::Done> copy_database(const fs::path& from, const fs::path& to) 
         SQLite::Database source(from.string(), SQLite::OPEN_READONLY, kBusyTimeout_ms);
         auto known = check_version(source, from);
         if (!known) return known;
-        SQLite::Database copy(part.path().string(), SQLite::OPEN_READWRITE);
-        copy_pages(source, copy);
-        // One file by itself, without a log beside it.
-        copy.exec("PRAGMA journal_mode = DELETE");
-        return check(copy, from);
+        return guarded(to, [&] {
+            SQLite::Database copy(part.path().string(), SQLite::OPEN_READWRITE);
+            copy_pages(source, copy);
+            // One file by itself, without a log beside it.
+            copy.exec("PRAGMA journal_mode = DELETE");
+            return check(copy, from);
+        });
     });
     if (!copied) return copied;
     return part.keep_as(to);

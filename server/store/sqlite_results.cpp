@@ -23,9 +23,13 @@ bool is_rated(const Ended& ended) {
            ended.result.ending != protocol::server::Ending::Abandoned;
 }
 
-/// Whole seconds, so that nothing is shown early.
+/// Ages are whole seconds: one more for what they leave out, and one for the time until the end
+/// was durable, so that nothing is shown before those who are told it so much later know.
 std::int64_t shown_from_s(const Ended& ended) {
-    return ended.age_s + std::chrono::ceil<std::chrono::seconds>(ended.result.hidden_for).count();
+    constexpr auto kMargin = std::chrono::seconds(2);
+    const base::Duration hidden_for = ended.result.hidden_for;
+    if (hidden_for == base::Duration::zero()) return ended.age_s;
+    return ended.age_s + (std::chrono::ceil<std::chrono::seconds>(hidden_for) + kMargin).count();
 }
 
 double days_between(std::int64_t from_s, std::int64_t to_s) {

@@ -123,6 +123,15 @@ TEST(Programs, AServerSaysThatItsDataFolderCannotBeWritten) {
     EXPECT_NE(ran.last().find((file / "data").string()), std::string::npos) << ran.last();
 }
 
+TEST(Programs, AServerKeepsItsFilesForItsOwnerAlone) {
+    Host host;
+    for (const auto& file : std::filesystem::directory_iterator(host.data())) {
+        const auto others = std::filesystem::perms::group_all | std::filesystem::perms::others_all;
+        EXPECT_EQ(file.status().permissions() & others, std::filesystem::perms::none)
+            << file.path();
+    }
+}
+
 TEST(Programs, TwoServersDoNotShareADataFolder) {
     Host host;
     const Ran ran =

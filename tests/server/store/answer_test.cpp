@@ -124,7 +124,7 @@ TEST_F(Answer, ShowsPrivateMatchesToTheirPlayersAlone) {
 
 TEST_F(Answer, HidesAMatchFromOthersForAsLongAsItsSpectatorsWereDelayed) {
     play(1, 1, 2, hidden(won_by(Seat::First), std::chrono::milliseconds(29'500)));
-    pass(29);
+    pass(31);
     EXPECT_THAT(history(kLinus), IsEmpty());
     EXPECT_THAT(history(kLinus, "Ada#0001"), IsEmpty());
     EXPECT_THAT(history(kGrace), ElementsAre(1));
@@ -152,7 +152,7 @@ TEST_F(Answer, ShowsNoResultThatRestsOnOneStillHidden) {
     play(2, 2, 3, won_by(Seat::First));
     EXPECT_EQ(record(kAda, "Linus#0003").games, 0U);
     EXPECT_EQ(record(kLinus, "Linus#0003").games, 1U);
-    pass(100);
+    pass(102);
     EXPECT_EQ(record(kAda, "Linus#0003").games, 1U);
 }
 
