@@ -23,8 +23,10 @@ void GameLoop::run(std::function<void(Lobby&, base::Instant)> call) {
     });
 }
 
-void GameLoop::connected(SessionId session) {
-    run([session](Lobby& lobby, base::Instant time) { lobby.connected(time, session); });
+void GameLoop::connected(SessionId session, AddressKey from) {
+    run([session, from](Lobby& lobby, base::Instant time) {
+        lobby.connected(time, session, from);
+    });
 }
 
 void GameLoop::received(SessionId session, protocol::ClientMessage message) {

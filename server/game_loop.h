@@ -26,7 +26,7 @@ class GameLoop final : public ConnectionEvents {
     /// Runs the call on the game's thread; afterwards what it sent goes out.
     void run(std::function<void(Lobby&, base::Instant)> call);
 
-    void connected(SessionId session) override;
+    void connected(SessionId session, AddressKey from) override;
     void received(SessionId session, protocol::ClientMessage message) override;
     void malformed(SessionId session, std::string detail) override;
     void fell_behind(SessionId session) override;

@@ -28,6 +28,12 @@ void undo(MatchState& match) {
     match.undo.pop_back();
 }
 
+MatchState as_told(MatchState match) {
+    match.undo = {};
+    match.before_shot.reset();
+    return match;
+}
+
 void repeat(MatchState& match) {
     CHECK(match.before_shot.has_value());
     remember(match);

@@ -10,6 +10,8 @@ void remember(MatchState& match);
 
 /// Back to the position that was remembered last; there is one.
 void undo(MatchState& match);
+/// As everybody is told it: without what lies behind an undo.
+MatchState as_told(MatchState match);
 
 /// Back to the position before the last shot; there was one.
 void repeat(MatchState& match);

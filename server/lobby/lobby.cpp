@@ -26,8 +26,8 @@ std::vector<std::string> Lobby::restore(base::Instant now, const StoredWorld& st
     return left_alone;
 }
 
-void Lobby::connected(base::Instant now, SessionId session) {
-    world_->connect(now, session);
+void Lobby::connected(base::Instant now, SessionId session, AddressKey from) {
+    world_->connect(now, session, from);
 }
 
 void Lobby::received(base::Instant now, SessionId session, const protocol::ClientMessage& message) {

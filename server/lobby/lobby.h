@@ -5,6 +5,7 @@
 #include "common/base/time.h"
 #include "common/protocol/messages.h"
 #include "server/session/limits.h"
+#include "server/session/opened_tables.h"
 #include "server/session/token.h"
 #include "server/store/archive.h"
 #include "server/store/committer.h"
@@ -45,7 +46,7 @@ class Lobby {
     /// refold is left alone, as it is stored, and the reason returned.
     std::vector<std::string> restore(base::Instant now, const StoredWorld& world);
 
-    void connected(base::Instant now, SessionId session);
+    void connected(base::Instant now, SessionId session, AddressKey from);
     void received(base::Instant now, SessionId session, const protocol::ClientMessage& message);
     /// Bytes that were no message: answered, counted, and in the end disconnected.
     void malformed(base::Instant now, SessionId session, const std::string& detail);

@@ -72,9 +72,14 @@ void Lobby::World::on(const Heard& heard, const client::Kick& message) {
 }
 
 void Lobby::World::send_away(const Heard& heard, Table& table, Player& guest) {
-    const auto gone = table.seating().is_seated(guest.stored.player)
-                          ? table.vacate(heard.now, guest.stored.player)
-                          : table.leave(heard.now, *guest.session);
+    Session* session = guest.session ? session_of(*guest.session) : nullptr;
+    if (session != nullptr && !session->table) session = nullptr;  // Not welcomed yet.
+    base::Result<base::Done, RefusedCode> gone = base::Done{};
+    if (table.seating().is_seated(guest.stored.player)) {
+        gone = table.vacate(heard.now, guest.stored.player);
+    } else if (session != nullptr) {
+        gone = table.leave(heard.now, session->id);
+    }
     if (!gone) {
         refuse(around, heard.asker(), gone.error(), "players stay until their match is over");
         return;
@@ -83,18 +88,15 @@ void Lobby::World::send_away(const Heard& heard, Table& table, Player& guest) {
     table.save();
     guest.table.reset();
     table_list.reset();
-    Session* session = guest.session ? session_of(*guest.session) : nullptr;
-    if (session == nullptr || !session->table) return;  // Away, or not welcomed yet.
+    if (session == nullptr) return;
     tell(session->id, protocol::server::Notice{.code = protocol::server::NoticeCode::Kicked,
                                                .detail = "the owner has sent you away"});
     return_to_lobby(heard.now, *session);
 }
 
-/// Whoever sits there, too, while their connection is lost.
+/// Whoever would come back there, too, while their connection is lost.
 bool Lobby::World::is_at(const Player& player, protocol::TableId id) {
-    if (table_of(id)->seating().is_seated(player.stored.player)) return true;
-    const Session* session = player.session ? session_of(*player.session) : nullptr;
-    return session != nullptr && session->table == id;
+    return player.table == id || table_of(id)->seating().is_seated(player.stored.player);
 }
 
 /// Refused, and none, where the one who asks is not the owner of the table there.

@@ -82,8 +82,13 @@ void Lobby::World::open_table(const Heard& heard, const std::string& name,
         refuse(around, heard.asker(), RefusedCode::TooMany, "tables on this server");
         return;
     }
+    if (opened_tables.count(heard.session.from) >= around.limits.tables_per_address) {
+        refuse(around, heard.asker(), RefusedCode::TooMany, "tables opened from your address");
+        return;
+    }
     const protocol::TableId id{++last_table};
     tables.try_emplace(id, id, name, settings, std::move(access), around, heard.now);
+    opened_tables.add(id, heard.session.from);
     player.opened = id;
     take_place(heard, id, role, {});
 }
@@ -141,7 +146,8 @@ void Lobby::World::take_place(const Heard& heard, protocol::TableId id, protocol
     }
     player.table = id;
     heard.session.table = id;
-    heard.session.phase = role == protocol::Role::Spectator ? Phase::Watching : Phase::Seated;
+    heard.session.phase =
+        table.seating().seats_of(heard.session.id).empty() ? Phase::Watching : Phase::Seated;
     feed.unfollow(heard.session.id);
     table_list.reset();
 }

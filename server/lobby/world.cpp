@@ -26,14 +26,14 @@ Lobby::World::World(const LobbyLimits& limits, Outbox& outbox, Committer& commit
       archive(asked),
       feed(limits.table_changes_every) {}
 
-void Lobby::World::connect(base::Instant now, SessionId id) {
+void Lobby::World::connect(base::Instant now, SessionId id, AddressKey from) {
     if (is_closing) {
         tell(id, protocol::server::Notice{.code = protocol::server::NoticeCode::ShuttingDown,
                                           .detail = "the server is going down"});
         around.outbox.close(id);
         return;
     }
-    const auto [place, added] = sessions.try_emplace(id, id, now, around.limits);
+    const auto [place, added] = sessions.try_emplace(id, id, from, now, around.limits);
     CHECK(added);
     session_deadlines.set(id, place->second.expires());
 }
@@ -122,6 +122,7 @@ void Lobby::World::close_table(protocol::TableId id) {
     });
     table_deadlines.set(id, std::nullopt);
     tables.erase(id);
+    opened_tables.remove(id);
     feed.touch(id);
     table_list.reset();
 }

@@ -40,7 +40,7 @@ struct Lobby::World {
           RandomBytes random);
 
     // world.cpp: sessions, tables and time
-    void connect(base::Instant now, SessionId id);
+    void connect(base::Instant now, SessionId id, AddressKey from);
     void receive(base::Instant now, Session& session, const protocol::ClientMessage& message);
     /// Counts, and closes the session at LobbyLimits::illegal_messages.
     void refuse_illegal(base::Instant now, Session& session, std::uint32_t request_id,
@@ -155,6 +155,7 @@ struct Lobby::World {
     std::map<SessionId, Session> sessions;
     Players players;
     std::map<protocol::TableId, Table> tables;
+    OpenedTables opened_tables;
     Deadlines<SessionId> session_deadlines;
     Deadlines<protocol::TableId> table_deadlines;
 

@@ -24,7 +24,7 @@ std::uint64_t key_of_v6(const asio::ip::address_v6& address) {
 
 }  // namespace
 
-AddressLimits::Key AddressLimits::key_of(const asio::ip::address& address) {
+AddressKey AddressLimits::key_of(const asio::ip::address& address) {
     if (is_loopback(address)) return std::nullopt;
     if (address.is_v4()) return key_of_v4(address.to_v4());
     const asio::ip::address_v6 v6 = address.to_v6();
@@ -32,7 +32,7 @@ AddressLimits::Key AddressLimits::key_of(const asio::ip::address& address) {
     return key_of_v6(v6);
 }
 
-bool AddressLimits::admit(Key key, Clock::time_point now) {
+bool AddressLimits::admit(AddressKey key, Clock::time_point now) {
     if (!key) return true;
     const auto found = counts_.find(*key);
     if (found == counts_.end() && counts_.size() >= limits_.addresses) return false;
@@ -48,7 +48,7 @@ bool AddressLimits::admit(Key key, Clock::time_point now) {
     return true;
 }
 
-void AddressLimits::release(Key key) {
+void AddressLimits::release(AddressKey key) {
     if (!key) return;
     const auto found = counts_.find(*key);
     CHECK(found != counts_.end() && found->second.connections > 0);

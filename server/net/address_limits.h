@@ -1,11 +1,12 @@
 // Takes the addresses that connections come from; gives which are let in.
 #pragma once
 
+#include "server/session/opened_tables.h"
+
 #include <asio/ip/address.hpp>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <unordered_map>
 
 namespace billiards::server {
@@ -15,9 +16,6 @@ namespace billiards::server {
 class AddressLimits {
   public:
     using Clock = std::chrono::steady_clock;
-    /// What is counted as one address; none for loopback.
-    using Key = std::optional<std::uint64_t>;
-
     struct Limits {
         int connections = 64;
         int new_connections = 20;  ///< In one window.
@@ -27,11 +25,11 @@ class AddressLimits {
 
     explicit AddressLimits(const Limits& limits) : limits_(limits) {}
 
-    static Key key_of(const asio::ip::address& address);
+    static AddressKey key_of(const asio::ip::address& address);
     /// Counts the connection and gives true, or gives false and counts nothing.
-    bool admit(Key key, Clock::time_point now);
+    bool admit(AddressKey key, Clock::time_point now);
     /// An admitted connection is gone.
-    void release(Key key);
+    void release(AddressKey key);
     /// Lets go of addresses without a connection whose window is over.
     void forget_old(Clock::time_point now);
 

@@ -21,9 +21,10 @@ std::string not_within(std::string_view what, std::chrono::milliseconds limit) {
 
 }  // namespace
 
-Connection::Connection(Socket socket, SessionId session, ConnectionShare& share)
+Connection::Connection(Socket socket, SessionId session, AddressKey from, ConnectionShare& share)
     : socket_(std::move(socket)),
       session_(session),
+      from_(from),
       share_(share),
       queue_(share.limits.queued_bytes, share.limits.sheddable_bytes),
       messages_allowed_(share.limits.messages_per_tick) {}
@@ -52,7 +53,7 @@ void Connection::on_preamble() {
     const auto preamble = protocol::decode_preamble(start_);
     if (preamble) {
         stage_ = Stage::Greeting;
-        share_.events.connected(session_);
+        share_.events.connected(session_, from_);
         return read_next();
     }
     ++share_.stats.malformed;

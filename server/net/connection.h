@@ -37,7 +37,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   public:
     using Clock = std::chrono::steady_clock;
 
-    Connection(Socket socket, SessionId session, ConnectionShare& share);
+    Connection(Socket socket, SessionId session, AddressKey from, ConnectionShare& share);
 
     /// Sends our preamble and waits for theirs.
     void start();
@@ -88,6 +88,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
     Socket socket_;
     const SessionId session_;
+    const AddressKey from_;
     ConnectionShare& share_;
     Clock::time_point deadline_;
     std::array<std::byte, protocol::kPreambleBytes> start_{};  ///< A preamble or a header.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/protocol/messages.h"
+#include "server/session/opened_tables.h"
 #include "server/table/outbox.h"
 
 #include <string>
@@ -15,7 +16,7 @@ class ConnectionEvents {
     virtual ~ConnectionEvents() = default;
 
     /// A client that speaks this protocol's version; the first call about the session.
-    virtual void connected(SessionId session) = 0;
+    virtual void connected(SessionId session, AddressKey from) = 0;
     /// Owes Outgoing::Handled in return, as malformed() does.
     virtual void received(SessionId session, protocol::ClientMessage message) = 0;
     /// A whole frame that holds no message; the session goes on.

@@ -77,9 +77,9 @@ void Network::accepted(Socket socket) {
     guest.start();
 }
 
-Connection& Network::add(Socket socket, AddressLimits::Key address, bool is_turned_away) {
+Connection& Network::add(Socket socket, AddressKey address, bool is_turned_away) {
     const SessionId session{++last_session_};
-    auto connection = std::make_shared<Connection>(std::move(socket), session, share_);
+    auto connection = std::make_shared<Connection>(std::move(socket), session, address, share_);
     const Entry entry{std::move(connection), address, is_turned_away};
     return *connections_.emplace(session.value, entry).first->second.connection;
 }

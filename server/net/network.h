@@ -52,13 +52,13 @@ class Network {
   private:
     struct Entry {
         std::shared_ptr<Connection> connection;
-        AddressLimits::Key address;
+        AddressKey address;
         bool is_turned_away = false;  ///< It is only told so.
     };
 
     void accepted(Socket socket);
     void turn_away(Socket socket);
-    Connection& add(Socket socket, AddressLimits::Key address, bool is_turned_away);
+    Connection& add(Socket socket, AddressKey address, bool is_turned_away);
     std::size_t guests() const { return connections_.size() - turned_away_; }
     void ended(SessionId session);
     void wait_for_tick();

@@ -13,13 +13,14 @@ namespace billiards::server {
 /// Counts and rates are at least 1.
 struct LobbyLimits {
     int max_tables = 4000;
+    std::size_t tables_per_address = 8;  ///< Opened from there since the start, and standing.
     int max_spectators_per_table = 20'000;
     int max_players = 1'000'000;  ///< Guests known at once.
 
     int lobby_requests_per_10s = 30;  ///< A session's lists, openings, joins and leaves together.
     int questions_waiting = 1;        ///< A session's, of what has been played.
     int chat_per_10s = 8;             ///< A session.
-    int table_chat_per_10s = 100;     ///< All sessions at one table together.
+    int table_chat_per_10s = 100;     ///< The players at one table, or its spectators.
     int placements_per_10s = 20;      ///< Balls set down at one table.
     int practice_shots_per_s = 5;  ///< At one table, and steps back; a match of two waits instead.
     int aim_per_s_to_players = 10;
@@ -45,9 +46,9 @@ struct LobbyLimits {
     std::size_t kept_events = 256;
     std::size_t kept_event_bytes = 256 * 1024;
 
-    /// What waits for the delayed spectators of one table: messages, and bytes of their frames.
+    /// What waits for the delayed spectators of one table: messages, and about the bytes they take.
     std::size_t delayed_events = 4096;
-    std::size_t delayed_bytes = 4 * 1024 * 1024;
+    std::size_t delayed_bytes = 8 * 1024 * 1024;
 
     /// How long a player may be away in one match while the opponent is there, who may then claim
     /// it; and how long an absent player keeps the seat between two matches.

@@ -5,6 +5,7 @@
 #include "common/protocol/limits.h"
 #include "common/protocol/messages.h"
 #include "server/session/limits.h"
+#include "server/session/opened_tables.h"
 #include "server/session/phase.h"
 #include "server/session/rate_limit.h"
 #include "server/store/match_store.h"
@@ -16,14 +17,16 @@
 namespace billiards::server {
 
 struct Session {
-    Session(SessionId session, base::Instant now, const LobbyLimits& limits)
+    Session(SessionId session, AddressKey address, base::Instant now, const LobbyLimits& limits)
         : id(session),
+          from(address),
           heard(now),
           lobby_requests(limits.lobby_requests_per_10s, std::chrono::seconds(10)),
           chat(limits.chat_per_10s, std::chrono::seconds(10)),
           unsolvable(limits.unsolvable_per_min, std::chrono::minutes(1)) {}
 
     SessionId id;
+    AddressKey from;
     Phase phase = Phase::Greeting;
     base::Instant heard;  ///< When its last message came; while Greeting: when it connected.
     std::optional<PlayerId> player;          ///< From Entering on.

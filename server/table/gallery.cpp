@@ -21,36 +21,34 @@ void Gallery::set_delay(base::Duration delay, const Picture& shown, std::uint64_
     log_.skip_to(shown.sequence);
 }
 
-void Gallery::add(base::Instant now, std::shared_ptr<const protocol::ServerMessage> event,
-                  std::size_t frame_bytes, Picture after) {
-    if (is_full(frame_bytes)) return jump(now, std::move(after));
+void Gallery::add(base::Instant now, protocol::SharedFrame event, Picture after) {
+    const std::size_t bytes = event->size() + kWaitingEventBytes;
+    if (is_full(bytes)) return jump(now, std::move(after));
     push(now, {.due = {},
-               .message = std::move(event),
-               .bytes = frame_bytes,
+               .frame = std::move(event),
+               .bytes = bytes,
                .delivery = Delivery::Sheddable,
                .after = std::move(after)});
 }
 
-void Gallery::add(base::Instant now, std::shared_ptr<const protocol::ServerMessage> remark,
-                  std::size_t frame_bytes, Delivery delivery) {
-    if (is_full(frame_bytes)) return;
-    push(now, {.due = {},
-               .message = std::move(remark),
-               .bytes = frame_bytes,
-               .delivery = delivery,
-               .after = {}});
+void Gallery::add(base::Instant now, protocol::SharedFrame remark, Delivery delivery) {
+    const std::size_t bytes = remark->size() + kWaitingRemarkBytes;
+    if (is_full(bytes)) return;
+    push(
+        now,
+        {.due = {}, .frame = std::move(remark), .bytes = bytes, .delivery = delivery, .after = {}});
 }
 
 /// A jump that waits already is shown in its time: else a queue that fills up again and again
 /// within the delay would never show anything.
 void Gallery::jump(base::Instant now, Picture to) {
     std::optional<Item> earlier;
-    if (!queue_.empty() && !queue_.front().message) earlier = std::move(queue_.front());
+    if (!queue_.empty() && !queue_.front().frame) earlier = std::move(queue_.front());
     queue_.clear();
     bytes_ = 0;
     if (earlier) queue_.push_back(std::move(*earlier));
     push(now, {.due = {},
-               .message = nullptr,
+               .frame = nullptr,
                .bytes = 0,
                .delivery = Delivery::Fresh,
                .after = std::move(to)});
@@ -91,11 +89,11 @@ Gallery::News Gallery::show(base::Instant now, Item item) {
         shown_ = std::move(*item.after);
         late_ = item.late;
     }
-    if (item.message == nullptr) {
+    if (item.frame == nullptr) {
         log_.skip_to(shown_.sequence);
         return {protocol::encode(snapshot(now)), item.delivery};
     }
-    News news{protocol::encode(told_later(*item.message, item.late)), item.delivery};
+    News news{protocol::encode(told_later(message_in(item.frame), item.late)), item.delivery};
     if (item.after) log_.append(news.frame);
     return news;
 }

@@ -20,6 +20,10 @@
 
 namespace billiards::server {
 
+/// What waits takes about so much beside its frame: an event with the table after it, and a remark.
+inline constexpr std::size_t kWaitingEventBytes = 4096;
+inline constexpr std::size_t kWaitingRemarkBytes = 512;
+
 /// Without a delay it holds nothing, and spectators get the players' frames. With one it tells them
 /// everything later and in the same order, encoded once for all of them, in a stream of its own.
 class Gallery {
@@ -37,11 +41,9 @@ class Gallery {
     void set_delay(base::Duration delay, const Picture& shown, std::uint64_t stream);
 
     /// Something that has a number, and the table after it.
-    void add(base::Instant now, std::shared_ptr<const protocol::ServerMessage> event,
-             std::size_t frame_bytes, Picture after);
+    void add(base::Instant now, protocol::SharedFrame event, Picture after);
     /// Something that has none: dropped while the gallery is full.
-    void add(base::Instant now, std::shared_ptr<const protocol::ServerMessage> remark,
-             std::size_t frame_bytes, Delivery delivery);
+    void add(base::Instant now, protocol::SharedFrame remark, Delivery delivery);
     /// What is shown until something else is due, where nobody knows any more what was.
     void begin_with(Picture shown) { shown_ = std::move(shown); }
     /// The table as it is, without what led to it.
@@ -66,7 +68,7 @@ class Gallery {
     struct Item {
         base::Instant due;
         base::Duration late{};
-        std::shared_ptr<const protocol::ServerMessage> message;  ///< None: a jump.
+        protocol::SharedFrame frame;  ///< As the players got it; none: a jump.
         std::size_t bytes = 0;
         Delivery delivery = Delivery::Sheddable;
         std::optional<Picture> after;
@@ -81,7 +83,7 @@ class Gallery {
     bool is_delayed_ = false;
     base::Duration delay_{};
     std::deque<Item> queue_;
-    std::size_t bytes_ = 0;  ///< Of the frames of what waits, as the players got them.
+    std::size_t bytes_ = 0;  ///< Of what waits; of its frames, as the players got them.
     base::Instant last_due_ = base::Instant::min();
 
     Picture shown_;

@@ -1,9 +1,13 @@
 // Takes what is shown and how late; gives it as it is told.
 #include "server/table/picture.h"
 
+#include "common/base/check.h"
+#include "common/protocol/framing.h"
 #include "server/table/turn_clock.h"
 
 #include <optional>
+#include <span>
+#include <utility>
 #include <variant>
 
 namespace billiards::server {
@@ -78,8 +82,16 @@ say::TableSnapshot snapshot_of(const Picture& picture, base::Instant now) {
                                 .rolling = {},
                                 .turn = picture.turn,
                                 .server_time_us = wire_time(now)};
-    if (picture.rolling && now < picture.rests) snapshot.rolling = *picture.rolling;
+    if (picture.rolling && now < picture.rests) {
+        snapshot.rolling = std::get<say::ShotPlayed>(message_in(picture.rolling));
+    }
     return snapshot;
+}
+
+protocol::ServerMessage message_in(const protocol::SharedFrame& frame) {
+    auto message = protocol::decode_server(std::span(*frame).subspan(protocol::kFrameHeaderBytes));
+    CHECK(message.ok());
+    return std::move(message).value();
 }
 
 protocol::ServerMessage told_later(protocol::ServerMessage message, base::Duration by) {

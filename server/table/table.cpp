@@ -47,12 +47,17 @@ Table::Table(protocol::TableId id, std::string name, const match::Settings& sett
       aim_to_spectators_(around.limits.aim_per_s_to_spectators, std::chrono::seconds(1), kAimBurst),
       placements_(around.limits.placements_per_10s, std::chrono::seconds(10)),
       practice_shots_(around.limits.practice_shots_per_s, std::chrono::seconds(1)),
-      chat_(around.limits.table_chat_per_10s, std::chrono::seconds(10)) {
+      players_chat_(around.limits.table_chat_per_10s, std::chrono::seconds(10)),
+      stand_chat_(around.limits.table_chat_per_10s, std::chrono::seconds(10)) {
     delay_gallery(now, picture());
 }
 
 base::Result<base::Done, RefusedCode> Table::join(base::Instant now, const Visitor& visitor,
                                                   Role role, const Admission& admission) {
+    if (seating_.is_seated(visitor.player)) {
+        come_back(now, visitor, std::nullopt);
+        return base::Done{};
+    }
     if (const auto full = take_places(visitor, role)) return *full;
     access_.use_up(admission);
     save();
@@ -228,8 +233,8 @@ bool Table::is_abandoned(base::Instant now) const {
 }
 
 bool Table::is_idle() const {
-    return !is_pending() && !is_playing() && !seating_.is_anyone_connected() &&
-           gallery_.is_drained();
+    const bool is_shown = !gallery_.is_drained() && seating_.spectators() > 0;
+    return !is_pending() && !is_playing() && !seating_.is_anyone_connected() && !is_shown;
 }
 
 /// Nobody gets more of their delay than the time: who may come in is so at once.
@@ -270,6 +275,9 @@ StoredTable Table::stored() const {
 std::optional<Table::ShownMatch> Table::match_shown_to(SessionId session) const {
     const Picture shown = is_shown_late(session) ? gallery_.shown() : picture();
     if (!shown.match_id) return std::nullopt;
+    const bool is_a_strangers =
+        shown.match_was_private && !access_.is_private() && seating_.seats_of(session).empty();
+    if (is_a_strangers) return ShownMatch{*shown.match_id, std::nullopt};
     return ShownMatch{*shown.match_id, shown.steps};
 }
 

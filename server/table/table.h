@@ -124,7 +124,8 @@ class Table {
     StoredTable stored() const;
     struct ShownMatch {
         MatchId match;
-        std::uint64_t steps = 0;  ///< So many of them, with how it began.
+        /// So many of them, with how it began. None: what everybody may see of it, once it is over.
+        std::optional<std::uint64_t> steps;
     };
     /// The match that is played, or the last one, as far as this session has seen it.
     std::optional<ShownMatch> match_shown_to(SessionId session) const;
@@ -139,10 +140,12 @@ class Table {
         model::PerSeat<PlayerId> players;
         match::MatchState state;  ///< As last committed.
         std::uint64_t entries = 0;
+        bool was_private = false;  ///< When it began; true where nobody knows any more.
         model::PerSeat<std::optional<LastShot>> last_shots{};
     };
     struct Rolling {
-        std::shared_ptr<const protocol::server::ShotPlayed> played;
+        std::uint64_t sequence = 0;
+        protocol::SharedFrame frame;  ///< ShotPlayed.
         base::Instant rests{};
         model::PerSeat<bool> seen{};
     };
@@ -208,14 +211,12 @@ class Table {
     void undo_step(base::Instant now, const Step& step);
 
     // table_frames.cpp: what is told
-    using Message = std::shared_ptr<const protocol::ServerMessage>;
     template <class Event>
-    Message numbered(Event event);
-    protocol::SharedFrame publish(base::Instant now, const Message& message,
-                                  std::optional<SessionId> except = std::nullopt);
+    protocol::SharedFrame numbered(Event event);
+    void publish(base::Instant now, const protocol::SharedFrame& frame,
+                 std::optional<SessionId> except = std::nullopt);
     /// What has no number: an aim, a remark.
-    void show_spectators(base::Instant now, const Message& message,
-                         const protocol::SharedFrame& frame, Delivery delivery);
+    void show_spectators(base::Instant now, const protocol::SharedFrame& frame, Delivery delivery);
     void deliver_to_spectators(const protocol::SharedFrame& frame, Delivery delivery);
     void show_what_is_due(base::Instant now);
     void delay_gallery(base::Instant now, const Picture& shown);
@@ -264,7 +265,8 @@ class Table {
     RateLimit aim_to_spectators_;
     RateLimit placements_;
     RateLimit practice_shots_;
-    RateLimit chat_;
+    RateLimit players_chat_;
+    RateLimit stand_chat_;  ///< Of the spectators: however loud they are, the players can talk.
 };
 
 }  // namespace billiards::server

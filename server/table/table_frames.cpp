@@ -1,5 +1,6 @@
 // Takes what happened at a table; gives each frame, encoded once, to everyone who is there.
 #include "common/base/check.h"
+#include "common/match/practice.h"
 #include "common/protocol/codec.h"
 #include "common/protocol/moves.h"
 #include "server/table/table.h"
@@ -24,32 +25,30 @@ std::uint32_t wire_duration_us(base::Duration duration) {
 }  // namespace
 
 template <class Event>
-Table::Message Table::numbered(Event event) {
+protocol::SharedFrame Table::numbered(Event event) {
     event.sequence = ++sequence_;
-    return std::make_shared<const protocol::ServerMessage>(std::move(event));
+    return protocol::encode(std::move(event));
 }
 
 /// The one way of everything that has a number.
-protocol::SharedFrame Table::publish(base::Instant now, const Message& message,
-                                     std::optional<SessionId> except) {
-    const protocol::SharedFrame frame = protocol::encode(*message);
+void Table::publish(base::Instant now, const protocol::SharedFrame& frame,
+                    std::optional<SessionId> except) {
     log_.append(frame);
     CHECK(log_.last() == sequence_);
     seating_.for_each_player([&](SessionId to) {
         if (to != except) around_.outbox.deliver(to, frame, Delivery::Ordered);
     });
     if (gallery_.is_delayed()) {
-        gallery_.add(now, message, frame->size(), picture());
+        gallery_.add(now, frame, picture());
     } else {
         deliver_to_spectators(frame, Delivery::Sheddable);
     }
-    return frame;
 }
 
-void Table::show_spectators(base::Instant now, const Message& message,
-                            const protocol::SharedFrame& frame, Delivery delivery) {
+void Table::show_spectators(base::Instant now, const protocol::SharedFrame& frame,
+                            Delivery delivery) {
     if (gallery_.is_delayed()) {
-        gallery_.add(now, message, frame->size(), delivery);
+        gallery_.add(now, frame, delivery);
     } else {
         deliver_to_spectators(frame, delivery);
     }
@@ -77,16 +76,17 @@ Picture Table::picture() const {
                     .row = row_now(),
                     .match_id = {},
                     .steps = 0,
+                    .match_was_private = match_ && match_->was_private,
                     .match = {},
                     .rolling = {},
                     .turn = clock_.view()};
     if (match_) {
         picture.match_id = match_->id;
         picture.steps = match_->entries + 1;
-        picture.match = match_->state;
+        picture.match = match::as_told(match_->state);
     }
     if (rolling_) {
-        picture.rolling = rolling_->played;
+        picture.rolling = rolling_->frame;
         picture.rests = rolling_->rests;
     }
     return picture;
@@ -143,7 +143,7 @@ void Table::announce_start(base::Instant now) {
 
 void Table::announce_shot(base::Instant struck, Step step, const Committed& committed) {
     const auto& command = std::get<match::TakeShot>(step.entry.command);
-    const Message message =
+    const protocol::SharedFrame frame =
         numbered(say::ShotPlayed{.sequence = {},
                                  .struck_us = wire_time(struck),
                                  .seat = step.entry.seat,
@@ -155,9 +155,9 @@ void Table::announce_shot(base::Instant struck, Step step, const Committed& comm
                                  .after = std::move(step.next),
                                  .turn = clock_.view(),
                                  .commit_us = wire_duration_us(committed.took)});
-    rolling_ =
-        Rolling{.played = {message, &std::get<say::ShotPlayed>(*message)}, .rests = clock_.opens()};
-    match_->last_shots[step.entry.seat] = {step.entry.shot_id, publish(struck, message)};
+    rolling_ = Rolling{.sequence = sequence_, .frame = frame, .rests = clock_.opens()};
+    match_->last_shots[step.entry.seat] = {step.entry.shot_id, frame};
+    publish(struck, frame);
 }
 
 void Table::announce_move(base::Instant now, Step step) {
@@ -201,9 +201,9 @@ void Table::announce_storage_failed(base::Instant now, const std::optional<Asker
         const bool asked = asker && asker->session == to;
         refuse(around_, {to, asked ? asker->request_id : 0}, kCode, detail);
     });
-    const auto message = std::make_shared<const protocol::ServerMessage>(
-        say::Refused{.code = kCode, .match_code = {}, .detail = detail});
-    show_spectators(now, message, protocol::encode(*message), Delivery::Sheddable);
+    const auto frame =
+        protocol::encode(say::Refused{.code = kCode, .match_code = {}, .detail = detail});
+    show_spectators(now, frame, Delivery::Sheddable);
 }
 
 void Table::announce_closing() {

@@ -200,29 +200,28 @@ void Table::aim(base::Instant now, SessionId session, const protocol::client::Ai
     const bool to_players = aim_to_players_.allows(now);
     const bool to_spectators = aim_to_spectators_.allows(now);
     if (!to_players && !to_spectators) return;
-    const auto message = std::make_shared<const protocol::ServerMessage>(
+    const protocol::SharedFrame frame = protocol::encode(
         protocol::server::AimShown{.seat = seat, .turn = aim.turn, .shot = aim.shot});
-    const protocol::SharedFrame frame = protocol::encode(*message);
     if (to_players) {
         seating_.for_each_player([&](SessionId to) {
             if (to != session) around_.outbox.deliver(to, frame, Delivery::LatestWins);
         });
     }
-    if (to_spectators) show_spectators(now, message, frame, Delivery::LatestWins);
+    if (to_spectators) show_spectators(now, frame, Delivery::LatestWins);
 }
 
 void Table::say(base::Instant now, const Asker& asker, const std::string& name,
                 const std::string& text) {
-    if (!chat_.allows(now)) {
+    const bool is_player = !seating_.seats_of(asker.session).empty();
+    if (!(is_player ? players_chat_ : stand_chat_).allows(now)) {
         refuse(around_, asker, RefusedCode::TooMany, "chat at this table");
         return;
     }
-    const auto message = std::make_shared<const protocol::ServerMessage>(
-        protocol::server::ChatSaid{.name = name, .text = text});
-    const protocol::SharedFrame frame = protocol::encode(*message);
+    const protocol::SharedFrame frame =
+        protocol::encode(protocol::server::ChatSaid{.name = name, .text = text});
     seating_.for_each_player(
         [&](SessionId to) { around_.outbox.deliver(to, frame, Delivery::Ordered); });
-    show_spectators(now, message, frame, Delivery::Sheddable);
+    show_spectators(now, frame, Delivery::Sheddable);
 }
 
 }  // namespace billiards::server

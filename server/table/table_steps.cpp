@@ -75,7 +75,10 @@ void Table::start_match(base::Instant now) {
                        .settings = protocol::encode_settings(settings_, seed),
                        .engine = std::string(replay::kEngineVersion)};
     for (const Seat seat : kSeats) stored.players[seat] = seating_[seat]->player;
-    Start start{.match = {.id = id, .players = stored.players, .state = std::move(state).value()}};
+    Start start{.match = {.id = id,
+                          .players = stored.players,
+                          .state = std::move(state).value(),
+                          .was_private = access_.is_private()}};
     saved_ = this->stored();
     std::vector<Write> writes;
     writes.emplace_back(SaveTable{*saved_});
@@ -215,10 +218,12 @@ void Table::restore(base::Instant now, const Sitters& sitters,
 
 void Table::restore_match(base::Instant now, const Played& played) {
     const Refolded& refolded = played.refolded;
-    match_ = Match{.id = played.match.match,
-                   .players = played.match.players,
-                   .state = refolded.state,
-                   .entries = refolded.entries};
+    match_ =
+        Match{.id = played.match.match,
+              .players = played.match.players,
+              .state = refolded.state,
+              .entries = refolded.entries,
+              .was_private = access_.is_private() || refolded.state.stage == match::Stage::Over};
     sequence_ = refolded.entries;  // Above that of every shot which may be shown again.
     log_.skip_to(sequence_);
     if (is_playing()) clock_.open(now, time_allowed());

@@ -10,7 +10,7 @@ using model::kSeats;
 using model::Seat;
 
 void Table::seen(base::Instant now, SessionId session, std::uint64_t sequence) {
-    if (!rolling_ || rolling_->played->sequence != sequence) return;
+    if (!rolling_ || rolling_->sequence != sequence) return;
     for (const Seat seat : seating_.seats_of(session)) rolling_->seen[seat] = true;
     open_turn_if_all_have_seen(now);
 }

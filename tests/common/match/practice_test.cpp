@@ -1,4 +1,6 @@
 // Takes practice move by move; gives whether its player can place, undo, repeat and rack again.
+#include "common/match/practice.h"
+
 #include "common/match/match.h"
 #include "tests/common/match/match_moves.h"
 
@@ -88,6 +90,16 @@ TEST(Practice, MayPlaceABallWhereItLies) {
     const MatchState match = placed(practising());
     const base::Vec2 cue_m = match.layout.find(kCueBall)->position_m;
     EXPECT_EQ(refusal(match, Seat::First, PlaceBall{kCueBall, cue_m + 0.001}), std::nullopt);
+}
+
+TEST(Practice, IsToldWithoutWhatLiesBehindAnUndo) {
+    const MatchState racked = done(broken(practising()), Rerack{});
+    ASSERT_FALSE(racked.undo.empty());
+    ASSERT_TRUE(racked.before_shot);
+    const MatchState told = as_told(racked);
+    EXPECT_TRUE(told.undo.empty());
+    EXPECT_FALSE(told.before_shot);
+    EXPECT_EQ(told.layout, racked.layout);
 }
 
 TEST(Practice, UndoesShotsPlacementsAndRacks) {

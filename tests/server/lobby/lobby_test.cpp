@@ -179,6 +179,40 @@ TEST_F(LobbyTest, RefusesTablesBeyondTheLimit) {
     EXPECT_EQ(refusal(session), RefusedCode::TooMany);
 }
 
+TEST_F(LobbyTest, RefusesTablesBeyondTheLimitOfAnAddressUntilOneOfThemIsClosed) {
+    limits.tables_per_address = 2;
+    start();
+    const auto greet_from = [this](AddressKey from) {
+        const SessionId session = connect(from);
+        say(session, client::Hello{.name = "Ada", .token = {}});
+        return session;
+    };
+    const SessionId first = greet_from(7);
+    open_table(first);
+    open_table(greet_from(7));
+    const SessionId third = greet_from(7);
+    say(third, client::CreateTable{});
+    EXPECT_EQ(refusal(third), RefusedCode::TooMany);
+    open_table(greet_from(8));
+    for (int i = 0; i < 4; ++i) open_table(greet("Nobody's neighbour"));
+    say(first, client::Leave{});
+    open_table(first);
+    disconnect(first);
+    pass(limits.empty_table_kept);
+    open_table(greet_from(7));
+}
+
+TEST_F(LobbyTest, LeavesNoTableToSpectatorsWhoAreNotThereHoweverLateTheyWouldSeeIt) {
+    const SessionId session = greet("Ada");
+    match::Settings late;
+    late.spectator_delay_s = 600;
+    for (int i = 0; i < 3; ++i) {
+        say(session, client::CreateTable{.name = {}, .settings = late});
+        say(session, client::Leave{});
+    }
+    EXPECT_EQ(lobby->stats().tables, 1U);
+}
+
 TEST_F(LobbyTest, ClosesTheEmptyTableOfWhoOpensAnother) {
     const SessionId session = greet("Ada");
     const auto first = open_table(session);
@@ -292,10 +326,20 @@ TEST_F(LobbyTest, LimitsTheChatOfAWholeTableToItsRate) {
     seat_players();
     for (int i = 0; i < 2; ++i) {
         say(ada, client::Chat{"one"});
-        say(linus, client::Chat{"two"});
+        say(grace, client::Chat{"two"});
     }
+    EXPECT_EQ(refusal(grace), RefusedCode::TooMany);
+    EXPECT_EQ(count<told::ChatSaid>(linus), 3U);
+}
+
+TEST_F(LobbyTest, LetsThePlayersTalkHoweverLoudTheSpectatorsAre) {
+    limits.table_chat_per_10s = 3;
+    start();
+    seat_players();
+    for (int i = 0; i < 4; ++i) say(linus, client::Chat{"come on"});
     EXPECT_EQ(refusal(linus), RefusedCode::TooMany);
-    EXPECT_EQ(count<told::ChatSaid>(grace), 3U);
+    say(ada, client::Chat{"well played"});
+    EXPECT_EQ(refusal(ada), std::nullopt);
 }
 
 TEST_F(LobbyTest, LimitsWhatASessionAsksOfTheLobby) {

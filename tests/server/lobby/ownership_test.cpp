@@ -1,6 +1,7 @@
 // Holds what the owner of a table may do, and that nobody else may.
 #include "tests/server/support/game_test.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace billiards::server {
@@ -140,6 +141,36 @@ TEST_F(OwnershipTest, KicksAPlayerWhoIsAway) {
     EXPECT_EQ(last<told::Welcome>(again).table, std::nullopt);
     say(again, client::Join{table, Role::Player});
     EXPECT_EQ(refusal(again), RefusedCode::NotAllowed);
+}
+
+TEST_F(OwnershipTest, KicksASpectatorWhoIsAway) {
+    disconnect(linus);
+    EXPECT_EQ(kick(ada, linus), std::nullopt);
+    EXPECT_EQ(last<told::Welcome>(come_back(token_of(linus))).table, std::nullopt);
+}
+
+TEST_F(OwnershipTest, KicksWhoeverComesToATableWhereASeatOfTheirsIsStillStored) {
+    say(grace, client::Leave{});
+    say(grace, client::CreateTable{});
+    lobby.reset();
+    committer.kill();
+    DurableWorld world = committer.durable();
+    const std::string name = name_of(grace);
+    const auto stored = std::ranges::find(world.players, name, &StoredPlayer::name);
+    world.tables.front().seats[model::Seat::Second] = stored->player;
+    start();
+    EXPECT_TRUE(lobby->restore(now, world.stored()).empty());
+    const SessionId owner = come_back(token_of(ada));
+    const SessionId guest = come_back(token_of(grace));
+    say(guest, client::Leave{});
+    say(guest, client::Join{table, Role::Spectator});
+    EXPECT_EQ(last<told::TableSnapshot>(guest).your_seats, std::vector{model::Seat::Second});
+    say(owner, client::Kick{name});
+    EXPECT_EQ(last<told::Notice>(guest).code, told::NoticeCode::Kicked);
+    disconnect(guest);
+    say(owner, client::Leave{});
+    say(owner, client::CreateTable{});
+    EXPECT_EQ(refusal(owner), std::nullopt);
 }
 
 TEST_F(OwnershipTest, KicksAPlayerWhoIsJustComingBack) {

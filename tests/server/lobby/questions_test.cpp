@@ -135,6 +135,25 @@ TEST_F(QuestionsTest, TellADelayedSpectatorOfTheNextMatchOnlyOnceItIsShown) {
     EXPECT_EQ(ask(2).steps, 1U);
 }
 
+TEST_F(QuestionsTest, LeaveAPrivateMatchToTheArchiveForWhoComesOnceItsTableIsPublic) {
+    seat_players();
+    say(ada, client::ChangeTable{.settings = {}, .is_private = true, .passcode = {}});
+    for (const SessionId session : {ada, grace}) say(session, client::Ready{});
+    say(ada, client::Concede{});
+    const auto steps_for = [&](SessionId session) {
+        say(session, client::AskReplay{});
+        const auto question = asked<AskReplay>();
+        answer_with(told::ReplayChunk{});
+        return question.steps;
+    };
+    EXPECT_EQ(steps_for(linus), 2U);
+    say(ada, client::ChangeTable{.settings = {}, .is_private = false, .passcode = {}});
+    const SessionId stranger = greet("Stranger");
+    say(stranger, client::Join{table, Role::Spectator});
+    EXPECT_EQ(steps_for(stranger), std::nullopt);
+    EXPECT_EQ(steps_for(grace), 2U);
+}
+
 TEST_F(QuestionsTest, LeaveItToTheArchiveWhetherAnotherMatchIsOver) {
     start_match();
     const SessionId stranger = greet("Stranger");

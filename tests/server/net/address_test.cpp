@@ -38,7 +38,7 @@ TEST(Address, IsLoopbackWhereOnlyThisMachineReachesIt) {
     }
 }
 
-AddressLimits::Key key(const char* address) {
+AddressKey key(const char* address) {
     return AddressLimits::key_of(asio::ip::make_address(address));
 }
 

@@ -26,7 +26,9 @@ class RecordedEvents final : public ConnectionEvents {
   public:
     using Kind = RecordedEvent::Kind;
 
-    void connected(SessionId session) override { record({Kind::Connected, session, {}}); }
+    void connected(SessionId session, AddressKey /*from*/) override {
+        record({Kind::Connected, session, {}});
+    }
     void received(SessionId session, protocol::ClientMessage message) override {
         record({Kind::Received, session, std::move(message)});
     }

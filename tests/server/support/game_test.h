@@ -52,9 +52,9 @@ class GameTest : public testing::Test {
         left_alone = lobby->restore(now, world.stored());
     }
 
-    SessionId connect() {
+    SessionId connect(AddressKey from = {}) {
         const SessionId session{++last_session};
-        lobby->connected(now, session);
+        lobby->connected(now, session, from);
         return session;
     }
     /// What waits for the disk is durable afterwards, but where `disk_is_slow`.

@@ -186,13 +186,11 @@ TEST_F(GalleryTest, HidesTheResultFromTheHistoryForAsLong) {
 
 // The gallery alone.
 
-std::shared_ptr<const protocol::ServerMessage> remark(const std::string& text) {
-    return std::make_shared<const protocol::ServerMessage>(
-        told::ChatSaid{.name = "Ada", .text = text});
+protocol::SharedFrame remark(const std::string& text) {
+    return protocol::encode(told::ChatSaid{.name = "Ada", .text = text});
 }
-std::shared_ptr<const protocol::ServerMessage> event(std::uint64_t sequence) {
-    return std::make_shared<const protocol::ServerMessage>(
-        told::SeatChanged{.sequence = sequence, .seats = {}, .spectators = 0});
+protocol::SharedFrame event(std::uint64_t sequence) {
+    return protocol::encode(told::SeatChanged{.sequence = sequence, .seats = {}, .spectators = 0});
 }
 Picture picture(std::uint64_t sequence) {
     Picture picture;
@@ -218,22 +216,22 @@ TEST(Gallery, IsLiveUntilItHasADelay) {
 TEST(Gallery, NeverLetsAShorterDelayOvertake) {
     Gallery gallery{LobbyLimits{}};
     gallery.set_delay(10s, picture(0), 1);
-    gallery.add(at(0s), event(1), 100, picture(1));
+    gallery.add(at(0s), event(1), picture(1));
     gallery.set_delay(2s, picture(1), 1);
-    gallery.add(at(1s), event(2), 100, picture(2));
+    gallery.add(at(1s), event(2), picture(2));
     EXPECT_TRUE(gallery.take_due(at(10s) - 1us).empty());
     EXPECT_EQ(gallery.take_due(at(10s)).size(), 2U);
     EXPECT_EQ(gallery.shown().sequence, 2U);
-    gallery.add(at(11s), event(3), 100, picture(3));
+    gallery.add(at(11s), event(3), picture(3));
     EXPECT_EQ(gallery.next_deadline(), at(13s));
 }
 
 TEST(Gallery, IsLiveAgainOnceAllIsShownThatWaitedForADelayThatIsNoMore) {
     Gallery gallery{LobbyLimits{}};
     gallery.set_delay(10s, picture(0), 1);
-    gallery.add(at(0s), event(1), 100, picture(1));
+    gallery.add(at(0s), event(1), picture(1));
     gallery.set_delay(0s, picture(1), 2);
-    gallery.add(at(3s), event(2), 100, picture(2));
+    gallery.add(at(3s), event(2), picture(2));
     EXPECT_TRUE(gallery.take_due(at(10s) - 1us).empty());
     EXPECT_TRUE(gallery.is_delayed());
     EXPECT_EQ(gallery.take_due(at(10s)).size(), 2U);
@@ -245,9 +243,9 @@ TEST(Gallery, DropsRemarksAndJumpsOverEventsWhereTooMuchWaits) {
     limits.delayed_events = 3;
     Gallery gallery{limits};
     gallery.set_delay(10s, picture(0), 1);
-    gallery.add(at(0s), event(1), 100, picture(1));
-    for (int i = 0; i < 5; ++i) gallery.add(at(1s), remark("hi"), 100, Delivery::Sheddable);
-    gallery.add(at(2s), event(2), 100, picture(2));
+    gallery.add(at(0s), event(1), picture(1));
+    for (int i = 0; i < 5; ++i) gallery.add(at(1s), remark("hi"), Delivery::Sheddable);
+    gallery.add(at(2s), event(2), picture(2));
     const auto due = gallery.take_due(at(20s));
     ASSERT_EQ(due.size(), 1U);
     EXPECT_EQ(due[0].delivery, Delivery::Fresh);
@@ -261,8 +259,8 @@ TEST(Gallery, ShowsAJumpInItsTimeThoughTooMuchWaitsAgain) {
     limits.delayed_events = 3;
     Gallery gallery{limits};
     gallery.set_delay(10s, picture(0), 1);
-    for (std::uint64_t i = 1; i <= 4; ++i) gallery.add(at(0s), event(i), 100, picture(i));
-    for (std::uint64_t i = 5; i <= 7; ++i) gallery.add(at(2s), event(i), 100, picture(i));
+    for (std::uint64_t i = 1; i <= 4; ++i) gallery.add(at(0s), event(i), picture(i));
+    for (std::uint64_t i = 5; i <= 7; ++i) gallery.add(at(2s), event(i), picture(i));
     ASSERT_EQ(gallery.take_due(at(10s)).size(), 1U);
     EXPECT_EQ(gallery.shown().sequence, 4U);
     ASSERT_EQ(gallery.take_due(at(12s)).size(), 1U);
@@ -271,17 +269,16 @@ TEST(Gallery, ShowsAJumpInItsTimeThoughTooMuchWaitsAgain) {
 
 TEST(Gallery, CountsTheBytesThatWait) {
     LobbyLimits limits;
-    limits.delayed_bytes = 1000;
+    limits.delayed_bytes = 2 * (kWaitingEventBytes + event(1)->size());
     Gallery gallery{limits};
     gallery.set_delay(10s, picture(0), 1);
-    gallery.add(at(0s), event(1), 600, picture(1));
-    gallery.add(at(0s), remark("hi"), 500, Delivery::Sheddable);
-    gallery.add(at(0s), event(2), 400, picture(2));
+    gallery.add(at(0s), event(1), picture(1));
+    gallery.add(at(0s), event(2), picture(2));
+    gallery.add(at(0s), remark("hi"), Delivery::Sheddable);
     EXPECT_EQ(gallery.take_due(at(10s)).size(), 2U);
-    gallery.add(at(11s), event(3), 600, picture(3));
-    gallery.add(at(11s), event(4), 600, picture(4));
+    for (std::uint64_t i = 3; i <= 5; ++i) gallery.add(at(11s), event(i), picture(i));
     EXPECT_EQ(gallery.take_due(at(21s)).size(), 1U);
-    EXPECT_EQ(gallery.shown().sequence, 4U);
+    EXPECT_EQ(gallery.shown().sequence, 5U);
 }
 
 }  // namespace
