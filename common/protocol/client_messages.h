@@ -90,14 +90,6 @@ struct Seen {
     std::uint64_t sequence = 0;
     friend bool operator==(const Seen&, const Seen&) = default;
 };
-struct Choose {
-    model::TurnNumber turn;
-    rules::Choice choice = rules::Choice::Accept;
-    friend bool operator==(const Choose&, const Choose&) = default;
-};
-struct Concede {
-    friend bool operator==(Concede, Concede) = default;
-};
 struct Chat {
     std::string text;  ///< At most kMaxChatLength code points.
     friend bool operator==(const Chat&, const Chat&) = default;
@@ -148,44 +140,19 @@ struct ClaimMatch {
     friend bool operator==(ClaimMatch, ClaimMatch) = default;
 };
 
-// What a match takes beside shots; each as match::Command has it.
+// What a match takes beside shots, as it takes it.
 
-struct Extend {
-    model::TurnNumber turn;
-    friend bool operator==(const Extend&, const Extend&) = default;
-};
-struct Offer {
-    model::TurnNumber turn;
-    match::OfferKind kind = match::OfferKind::Stalemate;
-    friend bool operator==(const Offer&, const Offer&) = default;
-};
-struct Answer {
-    model::TurnNumber turn;
-    bool accept = false;
-    friend bool operator==(const Answer&, const Answer&) = default;
-};
-struct ClaimStalemate {
-    model::TurnNumber turn;
-    friend bool operator==(const ClaimStalemate&, const ClaimStalemate&) = default;
-};
-struct SpotNearest {
-    model::TurnNumber turn;
-    friend bool operator==(const SpotNearest&, const SpotNearest&) = default;
-};
-struct PlaceBall {
-    model::BallId ball;
-    base::Vec2 position_m{};
-    friend bool operator==(const PlaceBall&, const PlaceBall&) = default;
-};
-struct Undo {
-    friend bool operator==(Undo, Undo) = default;
-};
-struct Repeat {
-    friend bool operator==(Repeat, Repeat) = default;
-};
-struct Rerack {
-    friend bool operator==(Rerack, Rerack) = default;
-};
+using match::Answer;
+using match::Choose;
+using match::ClaimStalemate;
+using match::Concede;
+using match::Extend;
+using match::Offer;
+using match::PlaceBall;
+using match::Repeat;
+using match::Rerack;
+using match::SpotNearest;
+using match::Undo;
 
 // What has been played.
 

@@ -85,22 +85,13 @@ struct Lobby::World {
     // play.cpp: what a player asks of the match
     void on(const Heard& heard, const protocol::client::Ready& message);
     void on(const Heard& heard, const protocol::client::Rematch& message);
+    /// Every message that is a command of the match as it stands.
+    void on(const Heard& heard, const match::Command& command);
     void on(const Heard& heard, const protocol::client::PlaceCueBall& message);
     void on(const Heard& heard, const protocol::client::Aim& message);
     void on(const Heard& heard, const protocol::client::TakeShot& message);
     void on(const Heard& heard, const protocol::client::Seen& message);
-    void on(const Heard& heard, const protocol::client::Choose& message);
-    void on(const Heard& heard, const protocol::client::Concede& message);
     void on(const Heard& heard, const protocol::client::ClaimMatch& message);
-    void on(const Heard& heard, const protocol::client::Extend& message);
-    void on(const Heard& heard, const protocol::client::Offer& message);
-    void on(const Heard& heard, const protocol::client::Answer& message);
-    void on(const Heard& heard, const protocol::client::ClaimStalemate& message);
-    void on(const Heard& heard, const protocol::client::SpotNearest& message);
-    void on(const Heard& heard, const protocol::client::PlaceBall& message);
-    void on(const Heard& heard, const protocol::client::Undo& message);
-    void on(const Heard& heard, const protocol::client::Repeat& message);
-    void on(const Heard& heard, const protocol::client::Rerack& message);
     void ask(const Heard& heard, Table::Command command);
 
     // ownership.cpp: what the owner of a table may do

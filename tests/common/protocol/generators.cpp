@@ -238,40 +238,17 @@ void draw(server::ReplayChunk& chunk) {
              })};
 }
 
+// The commands that no client says in the same words.
+
 void draw(match::PlaceCueBall& place) {
     place = {position()};
 }
 void draw(match::TakeShot& take) {
     take = {{any32()}, shot(), call()};
 }
-void draw(match::Choose& choose) {
-    choose = {{any32()}, up_to(rules::Choice::PassBack)};
-}
 void draw(match::Timeout& timeout) {
     timeout = {{any32()}};
 }
-void draw(match::Concede&) {}
-void draw(match::Extend& extend) {
-    extend = {{any32()}};
-}
-void draw(match::Offer& offer) {
-    offer = {{any32()}, up_to(match::OfferKind::Draw)};
-}
-void draw(match::Answer& answer) {
-    answer = {{any32()}, coin()};
-}
-void draw(match::ClaimStalemate& claim) {
-    claim = {{any32()}};
-}
-void draw(match::SpotNearest& spot) {
-    spot = {{any32()}};
-}
-void draw(match::PlaceBall& place) {
-    place = {ball(), position()};
-}
-void draw(match::Undo&) {}
-void draw(match::Repeat&) {}
-void draw(match::Rerack&) {}
 void draw(match::Forfeit&) {}
 
 /// Any alternative of the variant.
