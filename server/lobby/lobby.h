@@ -4,8 +4,8 @@
 
 #include "common/base/time.h"
 #include "common/protocol/messages.h"
+#include "server/session/address_key.h"
 #include "server/session/limits.h"
-#include "server/session/opened_tables.h"
 #include "server/session/token.h"
 #include "server/store/archive.h"
 #include "server/store/committer.h"

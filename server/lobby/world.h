@@ -4,6 +4,7 @@
 #include "server/lobby/lobby.h"
 #include "server/lobby/table_feed.h"
 #include "server/session/deadlines.h"
+#include "server/session/opened_tables.h"
 #include "server/session/players.h"
 #include "server/session/session.h"
 #include "server/table/refuse.h"

@@ -1,7 +1,7 @@
 // Takes the addresses that connections come from; gives which are let in.
 #pragma once
 
-#include "server/session/opened_tables.h"
+#include "server/session/address_key.h"
 
 #include <asio/ip/address.hpp>
 #include <chrono>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/protocol/messages.h"
-#include "server/session/opened_tables.h"
+#include "server/session/address_key.h"
 #include "server/table/outbox.h"
 
 #include <string>

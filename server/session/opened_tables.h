@@ -2,16 +2,13 @@
 #pragma once
 
 #include "common/protocol/identity.h"
+#include "server/session/address_key.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <optional>
 
 namespace billiards::server {
-
-/// What counts as one address in every limit of its kind; none for this machine's own.
-using AddressKey = std::optional<std::uint64_t>;
 
 class OpenedTables {
   public:
