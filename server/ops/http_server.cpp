@@ -55,7 +55,7 @@ std::string to_text(const HttpResponse& response, bool with_body) {
         with_body ? response.body : "");
 }
 
-/// One connection: one request, one answer, one timeout.
+/// One connection: one request, one answer, one timeout. Ends on the thread of its socket.
 class Exchange : public std::enable_shared_from_this<Exchange> {
   public:
     Exchange(Socket socket, const HttpLimits& limits, const HttpHandler& handler,
@@ -93,11 +93,12 @@ class Exchange : public std::enable_shared_from_this<Exchange> {
         if (with_body && request->method != "GET") {
             return write({.status = 405, .body = "only GET and HEAD\n"}, true);
         }
-        handler_(request->path, [self = shared_from_this(), with_body](HttpResponse response) {
-            asio::post(self->socket_.get_executor(),
-                       [self, with_body, response = std::move(response)] {
-                           self->write(response, with_body);
-                       });
+        // Whoever answers on another thread must not be the last to hold this: the timeout does.
+        handler_(request->path, [executor = socket_.get_executor(), weak = weak_from_this(),
+                                 with_body](HttpResponse response) {
+            asio::post(executor, [weak, with_body, response = std::move(response)] {
+                if (const auto self = weak.lock()) self->write(response, with_body);
+            });
         });
     }
 
