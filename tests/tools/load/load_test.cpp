@@ -23,16 +23,21 @@ struct HastyServer : TestServer {
     HastyServer() : TestServer({}, for_the_hasty()) {}
 };
 
-ordered_json load_on(const TestServer& server, LoadMode mode) {
+LoadOptions hasty(const TestServer& server, LoadMode mode) {
     LoadOptions options;
     options.server = server.address();
-    options.http = server.http_address();
     options.mode = mode;
     options.tables = 3;
     options.spectators = 6;
-    options.seconds = 0.6;
     options.min_think_s = 0.0;
     options.max_think_s = 0.05;
+    return options;
+}
+
+ordered_json load_on(const TestServer& server, LoadMode mode) {
+    LoadOptions options = hasty(server, mode);
+    options.http = server.http_address();
+    options.seconds = 0.6;
     options.server_pid = ::getpid();
     return make_load(options);
 }
@@ -89,15 +94,9 @@ TEST(Load, PlayersPlayOnBesideNonsense) {
 
 TEST(Load, WhoeverDropsComesBack) {
     const HastyServer server;
-    LoadOptions options;
-    options.server = server.address();
-    options.mode = LoadMode::Flap;
-    options.tables = 4;
-    options.spectators = 4;
+    LoadOptions options = hasty(server, LoadMode::Flap);
     options.seconds = 1.0;
     options.drop_after_s = 0.4;
-    options.min_think_s = 0.0;
-    options.max_think_s = 0.05;
     const ordered_json report = make_load(options);
     EXPECT_EQ(report["errors"], 0) << report.dump(2);
     EXPECT_GT(report["reconnects"], 3);
@@ -107,14 +106,8 @@ TEST(Load, WhoeverDropsComesBack) {
 
 TEST(Load, AfterARestartItTellsHowSoonEverybodyWasBack) {
     HastyServer server;
-    LoadOptions options;
-    options.server = server.address();
-    options.mode = LoadMode::Reconnect;
-    options.tables = 3;
-    options.spectators = 6;
+    LoadOptions options = hasty(server, LoadMode::Reconnect);
     options.seconds = 30.0;
-    options.min_think_s = 0.0;
-    options.max_think_s = 0.05;
     std::promise<void> in_place;
     options.in_place = [&in_place] { in_place.set_value(); };
     std::future<ordered_json> load = std::async(std::launch::async, make_load, options);
